@@ -1,0 +1,30 @@
+//! Makes every model and texture of the course; nothing in this folder comes from elsewhere.
+//!
+//! | module | what it makes |
+//! |---|---|
+//! | [`mesh`] | [`Mesh`](mesh::Mesh): triangles with normals and texture coordinates, written as OBJ |
+//! | [`sphere`] | `sphere.obj`, 5,000 triangles |
+//! | [`wood`] | `crate.png`, a painted wooden box |
+//!
+//! The same bytes come out on every platform: sines come from `libm`, square roots and the four operations
+//! are exact by IEEE 754, randomness is seeded. A test makes everything again and compares.
+
+pub mod mesh;
+pub mod sphere;
+pub mod wood;
+
+use common::file::Encoding;
+
+/// A file of this folder: its name and its bytes.
+pub struct Asset {
+    /// File name, as `sphere.obj`.
+    pub name: &'static str,
+    /// Makes its bytes.
+    pub make: fn() -> Vec<u8>,
+}
+
+/// Every file that this crate makes.
+pub const ASSETS: &[Asset] = &[
+    Asset { name: "sphere.obj", make: || sphere::sphere(51, 50).to_obj().into_bytes() },
+    Asset { name: "crate.png", make: || wood::crate_side(256).encode(Encoding::Png).expect("it has pixels") },
+];

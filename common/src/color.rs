@@ -1,0 +1,128 @@
+//! A colour as a picture stores it.
+
+use std::str::FromStr;
+
+/// A colour in 8 bits a channel, in the order red, green, blue, alpha (255 is opaque).
+///
+/// The numbers are gamma-encoded, as they stand in a file. Lessons 1-9 compute with them as if they were
+/// proportional to light; they are not, and lesson 13 shows what that costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Color {
+    /// Red.
+    pub r: u8,
+    /// Green.
+    pub g: u8,
+    /// Blue.
+    pub b: u8,
+    /// Opacity: 0 is transparent, 255 opaque.
+    pub a: u8,
+}
+
+impl Color {
+    /// Opaque black, the colour of a new picture.
+    pub const BLACK: Self = Self::rgb(0, 0, 0);
+    /// Opaque white.
+    pub const WHITE: Self = Self::rgb(255, 255, 255);
+    /// Opaque red.
+    pub const RED: Self = Self::rgb(255, 0, 0);
+    /// Opaque green.
+    pub const GREEN: Self = Self::rgb(0, 255, 0);
+
+    /// An opaque colour.
+    #[must_use]
+    pub const fn rgb(r: u8, g: u8, b: u8) -> Self {
+        Self { r, g, b, a: 255 }
+    }
+
+    /// The opaque grey of an intensity: 0 is black, 1 white. What lies outside is clamped, NaN is black.
+    #[must_use]
+    pub fn gray(intensity: f32) -> Self {
+        // A float cast saturates, so this line does the clamping.
+        let level = (intensity * 255.0).round() as u8;
+        Self::rgb(level, level, level)
+    }
+
+    /// How bright the colour looks, by the weights of ITU-R BT.709, rounded: grey stays what it is.
+    #[must_use]
+    pub const fn luma(self) -> u8 {
+        ((2126 * self.r as u32 + 7152 * self.g as u32 + 722 * self.b as u32 + 5000) / 10_000) as u8
+    }
+
+    /// The mixture of `self` and `over`: `over`'s share is `coverage` in 255ths, rounded to nearest.
+    #[must_use]
+    pub fn mixed(self, over: Self, coverage: u8) -> Self {
+        let mix = |below: u8, above: u8| {
+            let coverage = u32::from(coverage);
+            ((u32::from(below) * (255 - coverage) + u32::from(above) * coverage + 127) / 255) as u8
+        };
+        Self {
+            r: mix(self.r, over.r),
+            g: mix(self.g, over.g),
+            b: mix(self.b, over.b),
+            a: mix(self.a, over.a),
+        }
+    }
+
+    /// One of a fixed sequence of colours that looks random, the same in every run.
+    ///
+    /// The bits of `n` are mixed by the finaliser of `SplitMix64` (Steele, Lea and Flood, *Fast splittable
+    /// pseudorandom number generators*, 2014).
+    #[must_use]
+    pub const fn random(n: u64) -> Self {
+        let mut z = n.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let [r, g, b, ..] = (z ^ (z >> 31)).to_le_bytes();
+        Self::rgb(r, g, b)
+    }
+}
+
+impl FromStr for Color {
+    type Err = String;
+
+    /// Reads `rrggbb` in hexadecimal digits, as `ff0000` for red.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let channel = |at: usize| text.get(at..at + 2).and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        if text.len() == 6
+            && text.bytes().all(|digit| digit.is_ascii_hexdigit())
+            && let (Some(r), Some(g), Some(b)) = (channel(0), channel(2), channel(4))
+        {
+            Ok(Self::rgb(r, g, b))
+        } else {
+            Err(format!("`{text}` is not a colour: write six hexadecimal digits, as in ff8000"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gray_clamps_and_rounds() {
+        let levels = [-1.0, 0.0, 0.5, 1.0, 7.0, f32::NAN].map(|i| Color::gray(i).r);
+        assert_eq!(levels, [0, 0, 128, 255, 255, 0]);
+    }
+
+    #[test]
+    fn luma_of_every_grey_is_that_grey() {
+        assert!((0..=255).all(|v| Color::rgb(v, v, v).luma() == v));
+    }
+
+    #[test]
+    fn mixing_is_exact_at_both_ends() {
+        for n in 0..1000 {
+            let (below, above) = (Color::random(n), Color::random(n + 1000));
+            assert_eq!(below.mixed(above, 0), below);
+            assert_eq!(below.mixed(above, 255), above);
+        }
+    }
+
+    #[test]
+    fn a_colour_is_six_digits() {
+        assert_eq!("ff8000".parse(), Ok(Color::rgb(255, 128, 0)));
+        for bad in ["", "fff", "ff80000", "+f8000", "gg0000", "ééé"] {
+            assert!(bad.parse::<Color>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! What can go wrong with a file, in one line each: the file, the cause, the cure.
+
+use std::path::PathBuf;
+
+/// A file that could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The file could not be opened or read.
+    #[error("cannot read {}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// The file could not be written; what was there before is there still.
+    #[error("cannot write {}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// The folder in which a file is to be written does not exist.
+    #[error("cannot write {}: its folder does not exist, create it first", path.display())]
+    NoFolder {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file's name does not say what it holds.
+    #[error("{}: the name of a picture must end in .tga or .png", path.display())]
+    Ending {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file is larger than the course's largest model or picture could be.
+    #[error("{}: larger than the {} MiB that are read", path.display(), limit >> 20)]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// Bytes allowed.
+        limit: u64,
+    },
+    /// The file does not hold the picture that its name promises, or one beyond the limits.
+    #[error("{}: not a picture that can be read; is it whole, and named after what it is?", path.display())]
+    Picture {
+        /// The file.
+        path: PathBuf,
+        /// What the decoder said.
+        source: ::image::ImageError,
+    },
+    /// The picture cannot be stored, as it has no pixels.
+    #[error("cannot write {}: the picture cannot be encoded", path.display())]
+    Encode {
+        /// The file.
+        path: PathBuf,
+        /// What the encoder said.
+        source: ::image::ImageError,
+    },
+    /// The file holds no model.
+    #[error("{}: {reason}", path.display())]
+    Model {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+}

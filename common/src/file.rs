@@ -1,0 +1,250 @@
+//! Pictures in files, and files written whole or not at all.
+//!
+//! The `image` crate does the work. Reading TGA, it takes raw and run-length encoded pixels of 8, 15, 16,
+//! 24 and 32 bits, colour maps, and any corner as the origin; all of these become 8-bit grey, RGB or RGBA.
+//! Writing TGA, it offers both encodings but one origin, the top-left corner, which every reader we know
+//! understands, so we write no encoder of our own. PNG is written in 8 bits; 16-bit channels lose their
+//! lower byte when read, and a palette becomes RGB.
+
+use std::fs::{self, File};
+use std::io::{Cursor, Read, Write};
+use std::path::Path;
+
+use ::image::codecs::tga::TgaEncoder;
+use ::image::{ImageFormat, ImageReader, ImageResult, Limits};
+
+use crate::{Error, Image};
+
+/// The longest file that is read, in bytes.
+const FILE_LIMIT: u64 = 256 << 20;
+
+/// The longest side of a picture that is read or asked for, in pixels.
+pub const SIDE_LIMIT: u16 = 16_384;
+
+/// How a picture is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// TGA, run-length encoded: runs of one colour take the room of one pixel.
+    TgaRle,
+    /// TGA, every pixel written out.
+    TgaRaw,
+    /// PNG.
+    Png,
+}
+
+impl Encoding {
+    /// The encoding that a file's name asks for: `.tga` (run-length encoded) or `.png`, in any case.
+    fn of(path: &Path) -> Result<Self, Error> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("tga") => Ok(Self::TgaRle),
+            Some("png") => Ok(Self::Png),
+            _ => Err(Error::Ending { path: path.into() }),
+        }
+    }
+}
+
+impl Image {
+    /// Reads a TGA or PNG file, by its ending. A file of more than 256 MiB, or a picture with a side beyond
+    /// [`SIDE_LIMIT`] or of more than 256 MiB in memory, is refused before anything is allocated for it.
+    ///
+    /// # Errors
+    /// One that names the file where it has another ending, cannot be read, is too large, or is no picture.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let encoding = Encoding::of(path)?;
+        Self::decode(&read_bytes(path)?, encoding)
+            .map_err(|source| Error::Picture { path: path.into(), source })
+    }
+
+    /// The picture in the bytes of a file. Either TGA encoding reads both.
+    ///
+    /// # Errors
+    /// Where the bytes are not such a file, are too few, or describe a picture beyond the limits.
+    pub fn decode(bytes: &[u8], encoding: Encoding) -> ImageResult<Self> {
+        let format = match encoding {
+            Encoding::TgaRle | Encoding::TgaRaw => ImageFormat::Tga,
+            Encoding::Png => ImageFormat::Png,
+        };
+        let mut limits = Limits::default();
+        limits.max_image_width = Some(u32::from(SIDE_LIMIT));
+        limits.max_image_height = Some(u32::from(SIDE_LIMIT));
+        limits.max_alloc = Some(FILE_LIMIT);
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        reader.limits(limits);
+        Ok(Self::from_rows_down(&reader.decode()?))
+    }
+
+    /// Writes the picture as TGA (run-length encoded) or PNG, by the ending of the file's name. A file of
+    /// that name is replaced once the new one is complete, and left alone where anything fails.
+    ///
+    /// # Errors
+    /// One that names the file where it has another ending, its folder does not exist, the system refuses,
+    /// or the picture has no pixels.
+    pub fn write(&self, path: &Path) -> Result<(), Error> {
+        self.write_as(path, Encoding::of(path)?)
+    }
+
+    /// As [`write`](Self::write), in an encoding of your choice whatever the file's name.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write).
+    pub fn write_as(&self, path: &Path, encoding: Encoding) -> Result<(), Error> {
+        let bytes = self.encode(encoding).map_err(|source| Error::Encode { path: path.into(), source })?;
+        write_whole(path, &bytes)
+    }
+
+    /// The bytes of the picture's file.
+    ///
+    /// # Errors
+    /// Where the picture has no pixels.
+    pub fn encode(&self, encoding: Encoding) -> ImageResult<Vec<u8>> {
+        let picture = self.to_rows_down();
+        let mut bytes = Cursor::new(Vec::new());
+        match encoding {
+            Encoding::TgaRle => picture.write_with_encoder(TgaEncoder::new(&mut bytes))?,
+            Encoding::TgaRaw => picture.write_with_encoder(TgaEncoder::new(&mut bytes).disable_rle())?,
+            Encoding::Png => picture.write_to(&mut bytes, ImageFormat::Png)?,
+        }
+        Ok(bytes.into_inner())
+    }
+}
+
+/// The bytes of a file that is no longer than the limit; a pipe or a device is cut off there as well.
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(FILE_LIMIT + 1).read_to_end(&mut bytes))
+        .map_err(|source| Error::Read { path: path.into(), source })?;
+    if bytes.len() as u64 > FILE_LIMIT {
+        return Err(Error::TooLarge { path: path.into(), limit: FILE_LIMIT });
+    }
+    Ok(bytes)
+}
+
+/// Writes a file beside its place and then renames it, so that a reader finds the old one or the new one
+/// and never a part. What was begun is removed where anything fails.
+///
+/// # Errors
+/// One that names the file where its folder does not exist or the system refuses.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        return Err(Error::NoFolder { path: path.into() });
+    }
+    let mut name = std::ffi::OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(format!(".{}.part", std::process::id()));
+    let part = folder.join(name);
+    File::create(&part)
+        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
+        .and_then(|()| fs::rename(&part, path))
+        .map_err(|source| {
+            // Best effort: the first error is the one to report.
+            let _ = fs::remove_file(&part);
+            Error::Write { path: path.into(), source }
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Color, Format};
+
+    /// 5×3 pixels, different everywhere, with a run of equal ones for the run-length encoder.
+    fn sample(format: Format) -> Image {
+        let mut image = Image::new(5, 3, format);
+        for (x, y) in (0..3).flat_map(|y| (0..5).map(move |x| (x, y))) {
+            let color = Color::random(if y == 1 { 99 } else { (y * 5 + x) as u64 });
+            image.set(x, y, Color { a: color.g, ..color });
+        }
+        image
+    }
+
+    #[test]
+    fn every_format_survives_every_encoding() {
+        for format in [Format::Gray, Format::Rgb, Format::Rgba] {
+            for encoding in [Encoding::TgaRle, Encoding::TgaRaw, Encoding::Png] {
+                let image = sample(format);
+                let bytes = image.encode(encoding).unwrap();
+                assert_eq!(Image::decode(&bytes, encoding).unwrap(), image, "{format:?} {encoding:?}");
+            }
+        }
+    }
+
+    /// A TGA file put together by hand from Truevision's specification (version 2.0, 1991).
+    fn tga(image: &Image, rle: bool, top: bool, right: bool) -> Vec<u8> {
+        let size = image.bytes_per_pixel();
+        let kind = if size == 1 { 3 } else { 2 } + if rle { 8 } else { 0 };
+        let (width, height) = (image.width() as u8, image.height() as u8);
+        let alpha_bits = if size == 4 { 8 } else { 0 };
+        let descriptor = u8::from(top) << 5 | u8::from(right) << 4 | alpha_bits;
+        let mut bytes = vec![0, 0, kind, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+        bytes.extend([width, 0, height, 0, size as u8 * 8, descriptor]);
+        for row in 0..image.height() {
+            let y = if top { image.height() - 1 - row } else { row };
+            let mut x = 0;
+            while x < image.width() {
+                let color = |x: i32| image.get(if right { image.width() - 1 - x } else { x }, y).unwrap();
+                let run = (x..image.width()).take_while(|&next| color(next) == color(x)).count() as i32;
+                if rle {
+                    bytes.push(0x80 | (run - 1) as u8);
+                }
+                let Color { r, g, b, a } = color(x);
+                bytes.extend(&[b, g, r, a][..size]);
+                x += if rle { run } else { 1 };
+            }
+        }
+        bytes
+    }
+
+    #[test]
+    fn tga_is_read_in_every_depth_encoding_and_origin() {
+        for format in [Format::Gray, Format::Rgb, Format::Rgba] {
+            for (rle, top, right) in [false, true]
+                .iter()
+                .flat_map(|&rle| [(rle, false, false), (rle, false, true), (rle, true, false), (rle, true, true)])
+            {
+                let image = sample(format);
+                let read = Image::decode(&tga(&image, rle, top, right), Encoding::TgaRle);
+                assert_eq!(read.unwrap(), image, "{format:?} rle {rle} top {top} right {right}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_truncated_file_is_an_error_at_every_length() {
+        for encoding in [Encoding::TgaRle, Encoding::TgaRaw, Encoding::Png] {
+            let bytes = sample(Format::Rgb).encode(encoding).unwrap();
+            // PNG ends with 12 bytes that say no more than that it ends.
+            let needed = if encoding == Encoding::Png { bytes.len() - 12 } else { bytes.len() };
+            for length in 0..needed {
+                assert!(Image::decode(&bytes[..length], encoding).is_err(), "{encoding:?} {length}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_header_that_claims_too_much_is_refused() {
+        for (side, bits) in [(u16::MAX, 32), (SIDE_LIMIT, 32), (SIDE_LIMIT + 1, 8)] {
+            let [low, high] = side.to_le_bytes();
+            let header = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, low, high, low, high, bits, 0];
+            let error = Image::decode(&header, Encoding::TgaRle).unwrap_err();
+            assert!(matches!(error, ::image::ImageError::Limits(_) | ::image::ImageError::Unsupported(_)), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_picture_without_pixels_cannot_be_written() {
+        for encoding in [Encoding::TgaRle, Encoding::TgaRaw, Encoding::Png] {
+            assert!(Image::new(0, 3, Format::Rgb).encode(encoding).is_err());
+        }
+    }
+
+    #[test]
+    fn runs_make_a_file_small() {
+        let black = Image::new(100, 100, Format::Rgb);
+        let [rle, raw] = [Encoding::TgaRle, Encoding::TgaRaw].map(|encoding| black.encode(encoding).unwrap().len());
+        assert_eq!(raw, 18 + 30_000);
+        assert_eq!(rle, 18 + 10_000_usize.div_ceil(128) * 4);
+    }
+}

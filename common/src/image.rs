@@ -1,0 +1,333 @@
+//! An 8-bit picture in memory.
+//!
+//! The origin is the bottom-left corner and y points up, as in the mathematics; files are written the
+//! right way up all the same. Pixel (x, y) is the square [x, x+1) × [y, y+1).
+
+use ::image::{DynamicImage, GrayImage, RgbImage, RgbaImage, imageops::FilterType};
+use glam::IVec2;
+
+use crate::Color;
+
+/// What a pixel consists of; as a number, its size in bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Grey, one byte.
+    Gray = 1,
+    /// Red, green, blue.
+    Rgb = 3,
+    /// Red, green, blue, alpha.
+    Rgba = 4,
+}
+
+/// A rectangle of whole pixels, both corners included. It is empty where `max` is below `min`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// Bottom-left pixel.
+    pub min: IVec2,
+    /// Top-right pixel.
+    pub max: IVec2,
+}
+
+impl Bounds {
+    /// Every pixel that has 32-bit coordinates.
+    pub const EVERYTHING: Self = Self { min: IVec2::MIN, max: IVec2::MAX };
+
+    /// Whether the pixel (x, y) lies in the rectangle.
+    #[must_use]
+    pub fn contains(self, x: i32, y: i32) -> bool {
+        (self.min.x..=self.max.x).contains(&x) && (self.min.y..=self.max.y).contains(&y)
+    }
+}
+
+/// A picture of up to 65535×65535 pixels, black at first.
+///
+/// No call panics: outside the picture [`set`](Self::set) does nothing and [`get`](Self::get) finds
+/// nothing. A side may be 0, which gives a picture without pixels.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Image {
+    width: u16,
+    height: u16,
+    format: Format,
+    /// Rows from the bottom, pixels from the left, channels in the order of [`Format`].
+    bytes: Vec<u8>,
+}
+
+impl Image {
+    /// A picture all of whose bytes are 0: black and, with an alpha channel, transparent.
+    ///
+    /// Sides have 16 bits since TGA's header gives them as many; hence no size can overflow.
+    #[must_use]
+    pub fn new(width: u16, height: u16, format: Format) -> Self {
+        let bytes = vec![0; usize::from(width) * usize::from(height) * format as usize];
+        Self { width, height, format, bytes }
+    }
+
+    /// Width in pixels, 0 to 65535. Signed, since coordinates are.
+    #[must_use]
+    pub fn width(&self) -> i32 {
+        i32::from(self.width)
+    }
+
+    /// Height in pixels, 0 to 65535.
+    #[must_use]
+    pub fn height(&self) -> i32 {
+        i32::from(self.height)
+    }
+
+    /// What a pixel consists of.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// Bytes per pixel: 1, 3 or 4.
+    #[must_use]
+    pub fn bytes_per_pixel(&self) -> usize {
+        self.format as usize
+    }
+
+    /// The rectangle of all its pixels.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        Bounds { min: IVec2::ZERO, max: IVec2::new(self.width() - 1, self.height() - 1) }
+    }
+
+    /// The bytes themselves: rows from the bottom, pixels from the left, channels in RGBA order.
+    #[must_use]
+    pub fn buffer(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The same bytes, to write to.
+    pub fn buffer_mut(&mut self) -> &mut [u8] {
+        &mut self.bytes
+    }
+
+    /// Where the pixel (x, y) begins in the buffer.
+    #[inline]
+    fn offset(&self, x: i32, y: i32) -> Option<usize> {
+        // As unsigned numbers the negative ones are too large, so that one comparison serves both ends.
+        let inside = (x as u32) < u32::from(self.width) && (y as u32) < u32::from(self.height);
+        inside.then(|| (y as usize * usize::from(self.width) + x as usize) * self.format as usize)
+    }
+
+    /// The colour of the pixel (x, y), or `None` outside the picture. Grey has three equal channels; without
+    /// an alpha channel a pixel is opaque.
+    #[inline]
+    #[must_use]
+    pub fn get(&self, x: i32, y: i32) -> Option<Color> {
+        let at = self.offset(x, y)?;
+        Some(match (self.format, &self.bytes[at..at + self.format as usize]) {
+            (Format::Gray, &[v]) => Color::rgb(v, v, v),
+            (Format::Rgb, &[r, g, b]) => Color::rgb(r, g, b),
+            (_, bytes) => Color { r: bytes[0], g: bytes[1], b: bytes[2], a: bytes[3] },
+        })
+    }
+
+    /// Colours the pixel (x, y); outside the picture, nothing happens. A grey picture keeps the colour's
+    /// [`luma`](Color::luma), one without alpha drops the alpha.
+    #[inline]
+    pub fn set(&mut self, x: i32, y: i32, color: Color) {
+        let Some(at) = self.offset(x, y) else { return };
+        let Color { r, g, b, a } = color;
+        match self.format {
+            Format::Gray => self.bytes[at] = color.luma(),
+            Format::Rgb => self.bytes[at..at + 3].copy_from_slice(&[r, g, b]),
+            Format::Rgba => self.bytes[at..at + 4].copy_from_slice(&[r, g, b, a]),
+        }
+    }
+
+    /// Lays `color` over the pixel (x, y), which it covers by `coverage` 255ths.
+    #[inline]
+    pub fn blend(&mut self, x: i32, y: i32, color: Color, coverage: u8) {
+        if coverage == 255 {
+            self.set(x, y, color);
+        } else if let Some(below) = self.get(x, y) {
+            self.set(x, y, below.mixed(color, coverage));
+        }
+    }
+
+    /// Every pixel with its colour: x, y, colour; rows from the bottom.
+    pub fn pixels(&self) -> impl Iterator<Item = (i32, i32, Color)> + '_ {
+        let columns = 0..self.width();
+        (0..self.height())
+            .flat_map(move |y| columns.clone().map(move |x| (x, y)))
+            .filter_map(|(x, y)| Some((x, y, self.get(x, y)?)))
+    }
+
+    /// Sets every byte to 0, as in a new picture.
+    pub fn clear(&mut self) {
+        self.bytes.fill(0);
+    }
+
+    /// Swaps left and right.
+    pub fn flip_horizontally(&mut self) {
+        *self = Self::from_rows_down(&self.to_rows_down().fliph());
+    }
+
+    /// Swaps bottom and top.
+    pub fn flip_vertically(&mut self) {
+        *self = Self::from_rows_down(&self.to_rows_down().flipv());
+    }
+
+    /// The picture stretched to another size: a smaller one averages what its pixels cover, a larger one
+    /// repeats the nearest pixel. A size without pixels, or of a picture without any, gives a black one.
+    #[must_use]
+    pub fn scale(&self, width: u16, height: u16) -> Self {
+        if self.bytes.is_empty() || width == 0 || height == 0 {
+            return Self::new(width, height, self.format);
+        }
+        let shrinks = width < self.width || height < self.height;
+        let filter = if shrinks { FilterType::Triangle } else { FilterType::Nearest };
+        let scaled = self.to_rows_down().resize_exact(u32::from(width), u32::from(height), filter);
+        Self::from_rows_down(&scaled)
+    }
+
+    /// The picture as the `image` crate has it, with its first row at the top.
+    pub(crate) fn to_rows_down(&self) -> DynamicImage {
+        let row = usize::from(self.width) * self.format as usize;
+        let bytes = self.bytes.chunks_exact(row.max(1)).rev().flatten().copied().collect();
+        let (width, height) = (u32::from(self.width), u32::from(self.height));
+        match self.format {
+            Format::Gray => GrayImage::from_raw(width, height, bytes).map(DynamicImage::ImageLuma8),
+            Format::Rgb => RgbImage::from_raw(width, height, bytes).map(DynamicImage::ImageRgb8),
+            Format::Rgba => RgbaImage::from_raw(width, height, bytes).map(DynamicImage::ImageRgba8),
+        }
+        .expect("width, height and format made the buffer's length")
+    }
+
+    /// The inverse of [`to_rows_down`](Self::to_rows_down). Other kinds of pixels become 8-bit grey, RGB or
+    /// RGBA. A side beyond 65535 is cut off; the readers in [`file`](crate::file) allow none that long.
+    pub(crate) fn from_rows_down(picture: &DynamicImage) -> Self {
+        let (format, bytes) = match (picture.color().has_alpha(), picture.color().has_color()) {
+            (true, _) => (Format::Rgba, picture.to_rgba8().into_raw()),
+            (false, true) => (Format::Rgb, picture.to_rgb8().into_raw()),
+            (false, false) => (Format::Gray, picture.to_luma8().into_raw()),
+        };
+        let mut image = Self::new(picture.width() as u16, picture.height() as u16, format);
+        let row = usize::from(image.width) * format as usize;
+        for (to, from) in image.bytes.chunks_exact_mut(row.max(1)).rev().zip(bytes.chunks_exact(row.max(1))) {
+            to.copy_from_slice(from);
+        }
+        image
+    }
+}
+
+impl std::fmt::Debug for Image {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Image({}×{} {:?})", self.width, self.height, self.format)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FORMATS: [Format; 3] = [Format::Gray, Format::Rgb, Format::Rgba];
+
+    fn noise(width: u16, height: u16, format: Format) -> Image {
+        let mut image = Image::new(width, height, format);
+        for (n, byte) in image.buffer_mut().iter_mut().enumerate() {
+            *byte = Color::random(n as u64).r;
+        }
+        image
+    }
+
+    #[test]
+    fn a_new_picture_is_black_and_as_large_as_asked() {
+        for (format, size) in FORMATS.into_iter().zip([1, 3, 4]) {
+            let image = Image::new(3, 2, format);
+            assert_eq!((image.width(), image.height(), image.bytes_per_pixel()), (3, 2, size));
+            assert_eq!(image.buffer(), vec![0; 6 * size]);
+        }
+    }
+
+    #[test]
+    fn outside_set_does_nothing_and_get_finds_nothing() {
+        for format in FORMATS {
+            let mut image = Image::new(3, 2, format);
+            for (x, y) in [(-1, 0), (0, -1), (3, 0), (0, 2), (i32::MIN, i32::MAX), (i32::MAX, 1)] {
+                image.set(x, y, Color::WHITE);
+                image.blend(x, y, Color::WHITE, 7);
+                assert_eq!(image.get(x, y), None);
+            }
+            assert_eq!(image, Image::new(3, 2, format));
+        }
+    }
+
+    #[test]
+    fn what_was_set_is_what_get_finds() {
+        let color = Color { r: 10, g: 20, b: 30, a: 40 };
+        let kept = [Color::rgb(19, 19, 19), Color::rgb(10, 20, 30), color];
+        for (format, kept) in FORMATS.into_iter().zip(kept) {
+            let mut image = Image::new(5, 4, format);
+            image.set(3, 2, color);
+            for (x, y, found) in image.pixels() {
+                let expected = if (x, y) == (3, 2) { Some(kept) } else { Image::new(1, 1, format).get(0, 0) };
+                assert_eq!(Some(found), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn the_buffer_starts_at_the_bottom_left() {
+        let mut image = Image::new(2, 2, Format::Gray);
+        image.set(1, 0, Color::WHITE);
+        assert_eq!(image.buffer(), [0, 255, 0, 0]);
+    }
+
+    #[test]
+    fn flips_move_every_pixel_and_undo_themselves() {
+        for format in FORMATS {
+            let before = noise(5, 4, format);
+            let mut image = before.clone();
+            image.flip_horizontally();
+            assert!(before.pixels().all(|(x, y, color)| image.get(4 - x, y) == Some(color)));
+            image.flip_vertically();
+            assert!(before.pixels().all(|(x, y, color)| image.get(4 - x, 3 - y) == Some(color)));
+            image.flip_horizontally();
+            image.flip_vertically();
+            assert_eq!(image, before);
+        }
+    }
+
+    #[test]
+    fn enlarging_repeats_pixels() {
+        for format in FORMATS {
+            let image = noise(3, 2, format);
+            let large = image.scale(9, 8);
+            assert!(large.pixels().all(|(x, y, color)| image.get(x / 3, y / 4) == Some(color)));
+        }
+    }
+
+    #[test]
+    fn shrinking_averages() {
+        let mut image = Image::new(8, 8, Format::Gray);
+        for y in 0..8 {
+            (0..8).filter(|x| (x + y) % 2 == 0).for_each(|x| image.set(x, y, Color::WHITE));
+        }
+        // A checkerboard of 0 and 255 has the mean 127.5; at the border the filter sees a little more of one.
+        assert!(image.scale(2, 2).buffer().iter().all(|level| (110..=145).contains(level)));
+    }
+
+    #[test]
+    fn a_picture_without_pixels_is_a_picture() {
+        for (width, height) in [(0, 0), (0, 5), (5, 0)] {
+            let mut image = Image::new(width, height, Format::Rgb);
+            image.flip_horizontally();
+            image.flip_vertically();
+            image.clear();
+            assert_eq!(image.get(0, 0), None);
+            assert_eq!(image.scale(2, 2), Image::new(2, 2, Format::Rgb));
+            assert_eq!(image.pixels().count(), 0);
+        }
+        assert_eq!(noise(3, 3, Format::Rgb).scale(0, 4).height(), 4);
+    }
+
+    #[test]
+    fn clear_makes_it_new() {
+        let mut image = noise(3, 2, Format::Rgba);
+        image.clear();
+        assert_eq!(image, Image::new(3, 2, Format::Rgba));
+    }
+}

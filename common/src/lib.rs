@@ -1,0 +1,33 @@
+//! The ground floor of *Pixel by Pixel*: what every lesson stands on and none of them teaches.
+//!
+//! | module | what is there |
+//! |---|---|
+//! | [`image`] | [`Image`], an 8-bit picture; [`Bounds`], a rectangle of pixels |
+//! | [`file`] | pictures to and from TGA and PNG, files written whole or not at all |
+//! | [`color`] | [`Color`] |
+//! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
+//! | [`method`] | [`Method`], one row of a lesson's table of methods |
+//! | [`compare`] | what differs between two pictures |
+//! | [`program`] | the command line that all lessons share |
+//! | [`preview`] | a picture in the terminal |
+//!
+//! Vectors and matrices are [glam](https://docs.rs/glam)'s, re-exported here by name, so that a lesson
+//! depends on `common` alone.
+
+pub mod color;
+pub mod compare;
+mod error;
+pub mod file;
+pub mod image;
+pub mod method;
+pub mod model;
+mod obj;
+pub mod preview;
+pub mod program;
+
+pub use color::Color;
+pub use error::Error;
+pub use glam::{IVec2, Vec2, Vec2Swizzles, Vec3};
+pub use image::{Bounds, Format, Image};
+pub use method::Method;
+pub use model::{Attributes, Model};

@@ -1,0 +1,71 @@
+//! A picture in the terminal.
+//!
+//! The character `▀` has its upper half in the text colour and the rest in the background colour: two
+//! square pixels a character, in 24-bit colours.
+
+use std::fmt::Write;
+use std::io::IsTerminal;
+
+use crate::{Color, Image};
+
+/// The picture as lines of half-block characters with ANSI colours, made smaller where it is wider than
+/// `columns` or higher than `rows` characters.
+#[must_use]
+pub fn half_blocks(image: &Image, columns: u16, rows: u16) -> String {
+    let (width, height) = (image.width().max(1) as f32, image.height().max(1) as f32);
+    let factor = (f32::from(columns) / width).min(2.0 * f32::from(rows) / height).min(1.0);
+    let fitted = |side: f32| ((side * factor).round() as u16).max(1);
+    let small = image.scale(fitted(width), fitted(height));
+    let mut text = String::new();
+    for top in (0..small.height()).rev().step_by(2) {
+        for x in 0..small.width() {
+            let [above, below] = [top, top - 1].map(|y| small.get(x, y).unwrap_or(Color::BLACK));
+            // Writing to a string cannot fail.
+            let _ = write!(
+                text,
+                "\x1b[38;2;{};{};{};48;2;{};{};{}m▀",
+                above.r, above.g, above.b, below.r, below.g, below.b
+            );
+        }
+        text.push_str("\x1b[0m\n");
+    }
+    text
+}
+
+/// The picture for this terminal; `None` where standard output is no terminal, or one without colours.
+#[must_use]
+pub fn for_terminal(image: &Image) -> Option<String> {
+    let plain = std::env::var_os("NO_COLOR").is_some() || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    if plain || !std::io::stdout().is_terminal() {
+        return None;
+    }
+    let (columns, rows) =
+        terminal_size::terminal_size().map_or((80, 24), |(columns, rows)| (columns.0, rows.0));
+    // Two lines stay free, for the command and for the line that names the files.
+    Some(half_blocks(image, columns.max(1), rows.saturating_sub(2).max(1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Format;
+
+    #[test]
+    fn two_rows_a_line_the_upper_one_first() {
+        let mut image = Image::new(1, 3, Format::Rgb);
+        image.set(0, 2, Color::RED);
+        image.set(0, 1, Color::GREEN);
+        image.set(0, 0, Color::WHITE);
+        let expected = "\x1b[38;2;255;0;0;48;2;0;255;0m▀\x1b[0m\n\x1b[38;2;255;255;255;48;2;0;0;0m▀\x1b[0m\n";
+        assert_eq!(half_blocks(&image, 80, 24), expected);
+    }
+
+    #[test]
+    fn it_fits() {
+        for (width, height) in [(100, 100), (1000, 10), (10, 1000), (1, 1), (0, 0)] {
+            let text = half_blocks(&Image::new(width, height, Format::Rgb), 40, 12);
+            assert!(text.lines().count() <= 12);
+            assert!(text.lines().all(|line| line.matches('▀').count() <= 40));
+        }
+    }
+}

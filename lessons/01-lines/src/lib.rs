@@ -1,0 +1,120 @@
+//! Lesson 1: the pixels of a line segment.
+//!
+//! **You will see** a white and a red line, 68 pixels each. **New:** going from a formula with real numbers
+//! to a loop with whole ones, one step at a time, and knowing at each step what is still wrong.
+//!
+//! The job: given two pixels *a* and *b*, visit the pixels of the segment between them. An ideal result has
+//! a pixel in each column (or row, if the segment is steep), never more than half a pixel from the line
+//! through the two pixels' centres; both ends are among them, and b→a gives the same pixels as a→b.
+//!
+//! [`METHODS`] holds ten ways to do it. [`slides`] has the eight that lead to the algorithm, [`bresenham()`]
+//! the algorithm itself, [`wu()`] its smooth relative. Each one calls `plot(x, y, coverage)` for its
+//! pixels, `coverage` being the share of the pixel that the line covers, in 255ths. `window` is what can be
+//! seen: only the last two look at it, the others walk the whole segment.
+//!
+//! Conventions: whole pixels, origin bottom-left, y up. Coordinates are any `i32`.
+
+pub mod bresenham;
+mod major;
+pub mod slides;
+pub mod wu;
+
+use common::{Bounds, Color, IVec2, Image, Method};
+
+pub use bresenham::bresenham;
+pub use wu::wu;
+
+/// The coverage of a pixel that is wholly the line's.
+pub(crate) const FULL: u8 = 255;
+
+/// One method as two functions that share their code.
+pub struct Line {
+    /// Draws the segment; compiled for just this, it is what gets timed.
+    pub draw: fn(IVec2, IVec2, &mut Image, Color),
+    /// Calls `plot(x, y, coverage)` for the pixels of the segment; tests look at it this way.
+    pub visit: fn(IVec2, IVec2, Bounds, &mut dyn FnMut(i32, i32, u8)),
+}
+
+/// Draws the segment from `a` to `b`, both included, by Bresenham's algorithm. What lies outside the
+/// picture is left out and costs nothing.
+// ANCHOR: line
+pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {
+    bresenham(a, b, image.bounds(), |x, y, _| image.set(x, y, color));
+}
+// ANCHOR_END: line
+
+/// Makes a [`Line`] of a generic method.
+macro_rules! both {
+    ($method:expr) => {
+        Line {
+            draw: |a, b, image, color| {
+                $method(a, b, image.bounds(), |x, y, coverage| image.blend(x, y, color, coverage));
+            },
+            visit: |a, b, window, plot| $method(a, b, window, plot),
+        }
+    };
+}
+
+/// The ways to draw a segment, from the first idea to the last.
+pub const METHODS: &[Method<Line>] = &[
+    Method {
+        name: "step-0.1",
+        run: both!(slides::step_tenth),
+        promise: "about ten pixels, spread evenly",
+        failure: "gaps beyond 10 px; repeats pixels below; may miss the far end",
+    },
+    Method {
+        name: "step-0.01",
+        run: both!(slides::step_hundredth),
+        promise: "about a hundred pixels, spread evenly",
+        failure: "gaps beyond 100 px; wasteful below; may miss the far end",
+    },
+    Method {
+        name: "per-column",
+        run: both!(slides::per_column),
+        promise: "one pixel in every column",
+        failure: "gaps if steep; nothing if leftward; a wrong pixel if both ends are one; rounds down",
+    },
+    Method {
+        name: "transposed",
+        run: both!(slides::transposed),
+        promise: "no gaps in any direction, less than 1 px off",
+        failure: "a wrong pixel if both ends are one; rounds down, so up to 1 px off; floats per pixel",
+    },
+    Method {
+        name: "slope",
+        run: both!(slides::slope),
+        promise: "no gaps, one addition a pixel",
+        failure: "rounding adds up: 1 px off after some 16,000 px; rounds down",
+    },
+    Method {
+        name: "fraction",
+        run: both!(slides::fraction),
+        promise: "no gaps, rounds to nearest, y is an integer",
+        failure: "rounding adds up, more slowly than in `slope`; a tie may fall either way",
+    },
+    Method {
+        name: "scaled",
+        run: both!(slides::scaled),
+        promise: "integers only: exact, at most 1/2 px off",
+        failure: "32 bits overflow from 2^30 px on; walks what cannot be seen",
+    },
+    Method {
+        name: "listing",
+        run: both!(slides::listing),
+        promise: "integers only, compared with 0 (the slides' last version, as printed)",
+        failure: "steps before it plots: 1 px ahead, and past the end, on slopes above 1/2; overflows",
+    },
+    Method {
+        name: "bresenham",
+        run: both!(bresenham),
+        promise: "exact, at most 1/2 px off, any 32-bit ends; costs only what can be seen",
+        failure: "jagged: a pixel is the line's or is not",
+    },
+    Method {
+        name: "wu",
+        run: both!(wu),
+        promise: "smooth: two pixels share each column; any 32-bit ends; costs only what can be seen",
+        failure: "twice the pixels, each mixed with what lies below; lines look a little thicker",
+    },
+];
