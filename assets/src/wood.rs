@@ -54,7 +54,8 @@ fn board(along: f64, across: f64, seed: f64) -> DVec3 {
 
 /// A board's edges: lit on one side, dark in the gap; `across` from 0 to 1.
 fn bevel(across: f64) -> f64 {
-    1.0 - 0.65 * fade(across / 0.07) - 0.55 * fade((1.0 - across) / 0.06) + 0.18 * fade((across - 0.1).abs() / 0.04)
+    1.0 - 0.65 * fade(across / 0.07) - 0.55 * fade((1.0 - across) / 0.06)
+        + 0.18 * fade((across - 0.1).abs() / 0.04)
 }
 
 /// A dark line where two boards meet at distance 0.

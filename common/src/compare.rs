@@ -55,9 +55,7 @@ impl Difference {
         for (x, y, color) in expected.pixels() {
             picture.set(x, y, Color::gray(f32::from(color.luma()) / 255.0 * 0.35));
         }
-        for (list, color) in
-            [(&self.missing, MISSING), (&self.extra, EXTRA), (&self.recolored, RECOLORED)]
-        {
+        for (list, color) in [(&self.missing, MISSING), (&self.extra, EXTRA), (&self.recolored, RECOLORED)] {
             list.iter().for_each(|pixel| picture.set(pixel.x, pixel.y, color));
         }
         picture

@@ -35,7 +35,7 @@ pub enum Encoding {
 impl Encoding {
     /// The encoding that a file's name asks for: `.tga` (run-length encoded) or `.png`, in any case.
     fn of(path: &Path) -> Result<Self, Error> {
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        let ending = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
         match ending.as_ref().and_then(|ending| ending.to_str()) {
             Some("tga") => Ok(Self::TgaRle),
             Some("png") => Ok(Self::Png),
@@ -200,10 +200,9 @@ mod tests {
     #[test]
     fn tga_is_read_in_every_depth_encoding_and_origin() {
         for format in [Format::Gray, Format::Rgb, Format::Rgba] {
-            for (rle, top, right) in [false, true]
-                .iter()
-                .flat_map(|&rle| [(rle, false, false), (rle, false, true), (rle, true, false), (rle, true, true)])
-            {
+            for (rle, top, right) in [false, true].iter().flat_map(|&rle| {
+                [(rle, false, false), (rle, false, true), (rle, true, false), (rle, true, true)]
+            }) {
                 let image = sample(format);
                 let read = Image::decode(&tga(&image, rle, top, right), Encoding::TgaRle);
                 assert_eq!(read.unwrap(), image, "{format:?} rle {rle} top {top} right {right}");
@@ -229,7 +228,10 @@ mod tests {
             let [low, high] = side.to_le_bytes();
             let header = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, low, high, low, high, bits, 0];
             let error = Image::decode(&header, Encoding::TgaRle).unwrap_err();
-            assert!(matches!(error, ::image::ImageError::Limits(_) | ::image::ImageError::Unsupported(_)), "{error}");
+            assert!(
+                matches!(error, ::image::ImageError::Limits(_) | ::image::ImageError::Unsupported(_)),
+                "{error}"
+            );
         }
     }
 
@@ -243,7 +245,8 @@ mod tests {
     #[test]
     fn runs_make_a_file_small() {
         let black = Image::new(100, 100, Format::Rgb);
-        let [rle, raw] = [Encoding::TgaRle, Encoding::TgaRaw].map(|encoding| black.encode(encoding).unwrap().len());
+        let [rle, raw] =
+            [Encoding::TgaRle, Encoding::TgaRaw].map(|encoding| black.encode(encoding).unwrap().len());
         assert_eq!(raw, 18 + 30_000);
         assert_eq!(rle, 18 + 10_000_usize.div_ceil(128) * 4);
     }

@@ -39,7 +39,9 @@ impl<F> Method<F> {
 mod tests {
     use super::*;
 
-    const TABLE: &[Method<fn(i32) -> i32>] = &[
+    type Function = fn(i32) -> i32;
+
+    const TABLE: &[Method<Function>] = &[
         Method { name: "one", run: |n| n + 1, promise: "adds one", failure: "at the top" },
         Method { name: "double", run: |n| n * 2, promise: "doubles", failure: "half-way up" },
     ];
@@ -52,7 +54,8 @@ mod tests {
 
     #[test]
     fn the_list_is_aligned() {
-        let expected = "one     adds one\n        fails: at the top\ndouble  doubles\n        fails: half-way up\n";
+        let expected =
+            "one     adds one\n        fails: at the top\ndouble  doubles\n        fails: half-way up\n";
         assert_eq!(Method::list(TABLE), expected);
     }
 }

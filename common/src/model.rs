@@ -88,17 +88,20 @@ impl Model {
     }
 
     /// The three positions of each triangle, in order.
+    #[must_use]
     pub fn faces(&self) -> impl ExactSizeIterator<Item = [Vec3; 3]> + '_ {
         self.triangles.iter().map(|triangle| triangle.map(|i| self.positions[i as usize]))
     }
 
     /// The three normals of each triangle, as long as the file has them; none where it lacks them or they
     /// were not asked for. Their lengths are the file's: often, but not always, 1.
+    #[must_use]
     pub fn face_normals(&self) -> impl ExactSizeIterator<Item = [Vec3; 3]> + '_ {
         self.normal_indices.iter().map(|triangle| triangle.map(|i| self.normals[i as usize]))
     }
 
     /// The three (u, v) of each triangle, v up; none where the file lacks them or they were not asked for.
+    #[must_use]
     pub fn face_uvs(&self) -> impl ExactSizeIterator<Item = [Vec2; 3]> + '_ {
         self.uv_indices.iter().map(|triangle| triangle.map(|i| self.uvs[i as usize]))
     }

@@ -43,7 +43,8 @@ pub(crate) fn parse(bytes: &[u8], wanted: Attributes) -> Result<Model, String> {
         match check(face, &lists, use_kind) {
             Ok(corners) => good.push(corners),
             Err(reason) => {
-                let first = || Skipped { count: 0, of: faces.len(), first: format!("line {}: {reason}", face.line) };
+                let first =
+                    || Skipped { count: 0, of: faces.len(), first: format!("line {}: {reason}", face.line) };
                 skipped.get_or_insert_with(first).count += 1;
             }
         }
@@ -113,7 +114,8 @@ fn check_corner(word: &str, face: &Face, lists: &[List; 3], use_kind: [bool; 3])
         let place = if index < 0 { index.saturating_add(face.lengths[kind] as i64 + 1) } else { index };
         let list = &lists[kind];
         let at = usize::try_from(place).ok().filter(|&at| 1 <= at && at <= list.len());
-        let at = at.ok_or_else(|| format!("corner `{word}`: there is no {name} {index} among {}", list.len()))?;
+        let at =
+            at.ok_or_else(|| format!("corner `{word}`: there is no {name} {index} among {}", list.len()))?;
         if list[at - 1].is_none() {
             return Err(format!("corner `{word}`: {name} {index} is not made of finite numbers"));
         }
@@ -125,7 +127,9 @@ fn check_corner(word: &str, face: &Face, lists: &[List; 3], use_kind: [bool; 3])
 /// The good faces as an OBJ text that says nothing else.
 fn rewrite(lists: &[List; 3], faces: &[Vec<Corner>], use_kind: [bool; 3]) -> String {
     let mut text = String::new();
-    for ((keyword, _, count), list) in KINDS.iter().zip(lists).zip(use_kind).filter_map(|(l, used)| used.then_some(l)) {
+    for ((keyword, _, count), list) in
+        KINDS.iter().zip(lists).zip(use_kind).filter_map(|(l, used)| used.then_some(l))
+    {
         for numbers in list {
             // A bad element keeps its place, so that the others keep theirs; no good face names it.
             text.push_str(keyword);
@@ -204,7 +208,10 @@ mod tests {
 
     #[test]
     fn negative_indices_count_back() {
-        assert_eq!(read("f -4 -3 -2", NONE).unwrap().faces().next(), read("f 1 2 3", NONE).unwrap().faces().next());
+        assert_eq!(
+            read("f -4 -3 -2", NONE).unwrap().faces().next(),
+            read("f 1 2 3", NONE).unwrap().faces().next()
+        );
     }
 
     #[test]
@@ -213,7 +220,10 @@ mod tests {
             ("f 1 2 5", "line 9: corner `5`: there is no vertex 5 among 4"),
             ("f 1 2 0", "line 9: corner `0`: there is no vertex 0 among 4"),
             ("f 1 2 -5", "line 9: corner `-5`: there is no vertex -5 among 4"),
-            ("f 1 2 99999999999999999999", "line 9: corner `99999999999999999999`: `99999999999999999999` is not an index"),
+            (
+                "f 1 2 99999999999999999999",
+                "line 9: corner `99999999999999999999`: `99999999999999999999` is not an index",
+            ),
             ("f 1 2", "line 9: a face needs 3 corners, this has 2"),
             ("f", "line 9: a face needs 3 corners, this has 0"),
             ("f 1 2 x", "line 9: corner `x`: `x` is not an index"),

@@ -35,7 +35,8 @@ pub fn half_blocks(image: &Image, columns: u16, rows: u16) -> String {
 /// The picture for this terminal; `None` where standard output is no terminal, or one without colours.
 #[must_use]
 pub fn for_terminal(image: &Image) -> Option<String> {
-    let plain = std::env::var_os("NO_COLOR").is_some() || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    let plain =
+        std::env::var_os("NO_COLOR").is_some() || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
     if plain || !std::io::stdout().is_terminal() {
         return None;
     }

@@ -172,7 +172,10 @@ fn parse<F>(
             arg.required(false).default_value(lesson.default).value_parser(names()).hide_possible_values(true)
         })
         .mut_arg("compare", |arg| {
-            arg.value_parser(names()).value_delimiter(',').action(ArgAction::Append).hide_possible_values(true)
+            arg.value_parser(names())
+                .value_delimiter(',')
+                .action(ArgAction::Append)
+                .hide_possible_values(true)
         });
     let foreign: Vec<String> = command
         .get_arguments()
@@ -208,7 +211,8 @@ fn execute<F>(lesson: &Lesson<F>, flags: &Flags) -> anyhow::Result<()> {
         return print(&Method::list(lesson.methods));
     }
     let draw = |name: &str| {
-        let method = Method::find(lesson.methods, name).with_context(|| format!("there is no method `{name}`"))?;
+        let method =
+            Method::find(lesson.methods, name).with_context(|| format!("there is no method `{name}`"))?;
         (lesson.draw)(flags, &method.run)
     };
     let [a, b] = flags.compare.as_slice() else {
@@ -245,7 +249,9 @@ fn deliver(image: &Image, flags: &Flags, name: &str) -> anyhow::Result<()> {
 fn print(text: &str) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context("cannot write to standard output"),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(error).context("cannot write to standard output")
+        }
         _ => Ok(()),
     }
 }
@@ -263,7 +269,8 @@ fn parse_numbers<T: std::str::FromStr>(text: &str, count: usize) -> Result<(Vec<
     if parts.len() < count || parts.len() > count + 1 {
         return Err(format!("write {count} numbers with commas between them, not {}", parts.len()));
     }
-    let number = |part: &&str| part.parse().map_err(|_| format!("`{part}` is not a number that can be used here"));
+    let number =
+        |part: &&str| part.parse().map_err(|_| format!("`{part}` is not a number that can be used here"));
     let numbers = parts[..count].iter().map(number).collect::<Result<_, _>>()?;
     Ok((numbers, parts.get(count).map(|color| color.parse()).transpose()?))
 }
@@ -288,7 +295,7 @@ fn parse_direction(text: &str) -> Result<Vec3, String> {
     match parse_numbers::<f32>(text, 3)? {
         (n, None) => DVec3::new(n[0].into(), n[1].into(), n[2].into())
             .try_normalize()
-            .map(|direction| direction.as_vec3())
+            .map(DVec3::as_vec3)
             .ok_or_else(|| "a direction needs three finite numbers, not all 0".into()),
         (_, Some(_)) => Err("write 3 numbers with commas between them, not 4".into()),
     }
@@ -328,7 +335,8 @@ mod tests {
 
     #[test]
     fn values_may_begin_with_a_minus() {
-        let flags = parsed(&["--line", "-1,-2,3,-4", "--line", "0,0,1,1,ff0000", "--light", "-1,0,0"]).unwrap();
+        let flags =
+            parsed(&["--line", "-1,-2,3,-4", "--line", "0,0,1,1,ff0000", "--light", "-1,0,0"]).unwrap();
         let ends = [IVec2::new(-1, -2), IVec2::new(3, -4)];
         assert_eq!(flags.line[0], LineFlag { ends, color: Color::WHITE });
         assert_eq!((flags.line[1].color, flags.light), (Color::RED, Vec3::NEG_X));
@@ -348,7 +356,10 @@ mod tests {
             (&["--size", "0x5"][..], "write two numbers from 1 to 16384"),
             (&["--size", "20000x5"], "write two numbers from 1 to 16384"),
             (&["--size", "5"], "write two numbers from 1 to 16384"),
-            (&["--method", "blue"], "invalid value 'blue' for '--method <NAME>'; [possible values: red, green]"),
+            (
+                &["--method", "blue"],
+                "invalid value 'blue' for '--method <NAME>'; [possible values: red, green]",
+            ),
             (&["--compare", "red"], "takes two methods"),
             (&["--compare", "red,green,red"], "takes two methods"),
             (&["--compare", "red,blue"], "[possible values: red, green]"),

@@ -1,1 +1,145 @@
-//! x
+//! What the tests of all lessons share: running a lesson's program, and snapshots of pictures.
+//!
+//! ```text
+//! snapshots/   what each method draws, as text and as PNG; one file a lesson
+//! stability/   tables of (input, method, what must happen), failures included; one file a lesson
+//! properties/  what must hold for any input; one file a lesson
+//! files/       bad files and bad flags, and the assets made again
+//! ```
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::LazyLock;
+
+use checks::picture::{Fault, faults};
+use common::file::Encoding;
+use common::{Bounds, IVec2, Image};
+use insta::internals::SnapshotContents;
+use insta::{Comparator, Settings, Snapshot, assert_binary_snapshot, assert_snapshot};
+
+/// The lessons' programs, built once a process.
+static PROGRAMS: LazyLock<BTreeMap<&str, PathBuf>> = LazyLock::new(|| {
+    let build = |lesson| {
+        let build = escargot::CargoBuild::new().package(lesson).bin(lesson).manifest_path("../Cargo.toml");
+        let built = build.current_release().run().unwrap_or_else(|error| panic!("{lesson}: {error}"));
+        (lesson, built.path().to_path_buf())
+    };
+    ["lines", "wireframe", "triangles"].map(build).into()
+});
+
+/// A lesson's program, about to run in a folder.
+#[must_use]
+pub fn program(lesson: &str, folder: &Path) -> Command {
+    let mut command = Command::new(&PROGRAMS[lesson]);
+    command.current_dir(folder);
+    command
+}
+
+/// Runs a lesson's program in a folder to its end.
+///
+/// # Panics
+/// Where it cannot be started.
+#[must_use]
+pub fn run(lesson: &str, folder: &Path, arguments: &[&str]) -> Output {
+    program(lesson, folder).args(arguments).output().unwrap_or_else(|error| panic!("{lesson}: {error}"))
+}
+
+/// The picture that a lesson's program draws.
+///
+/// # Panics
+/// Where the program fails.
+#[must_use]
+pub fn draw(lesson: &str, arguments: &[&str]) -> Image {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let output = run(lesson, folder.path(), &[arguments, &["--out", "picture.png"]].concat());
+    assert!(output.status.success(), "{lesson} {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    Image::read(&folder.path().join("picture.png")).expect("the program wrote a picture")
+}
+
+/// A folder of snapshots, each named after what it shows.
+fn settings() -> Settings {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots/pictures"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}
+
+/// Compares PNG snapshots pixel by pixel, so that another version of the encoder changes nothing.
+#[derive(Clone)]
+struct Pixels {
+    /// By how much a channel may differ.
+    tolerance: u8,
+}
+
+impl Comparator for Pixels {
+    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
+        let [expected, got] = [reference, test].map(|snapshot| match snapshot.contents() {
+            SnapshotContents::Binary(Some(bytes)) => Image::decode(bytes.as_slice(), Encoding::Png).ok(),
+            _ => None,
+        });
+        let (Some(expected), Some(got)) = (expected, got) else { return false };
+        let faults = faults(&expected, &got, self.tolerance);
+        faults.iter().take(5).for_each(|fault: &Fault| println!("{fault}"));
+        println!("{} pixels differ", faults.len());
+        faults.is_empty()
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}
+
+/// Compares a picture with the snapshot of that name; each channel may differ by `tolerance`.
+///
+/// # Panics
+/// Where it differs by more, or there is no such snapshot. What was drawn is then in the folder of
+/// temporary files, in `pixel-by-pixel/NAME.png`.
+pub fn assert_picture(name: &str, image: &Image, tolerance: u8) {
+    // A name may not hold a dot, since that begins the ending.
+    let name = name.replace('.', "_");
+    let drawn = std::env::temp_dir().join("pixel-by-pixel").join(format!("{name}.png"));
+    std::fs::create_dir_all(drawn.parent().expect("it was joined")).expect("a temporary folder can be made");
+    image.write(&drawn).expect("a temporary file can be written");
+    println!("what was drawn: {}", drawn.display());
+    let mut settings = settings();
+    settings.set_comparator(Box::new(Pixels { tolerance }));
+    settings.bind(|| {
+        let bytes = image.encode(Encoding::Png).expect("the picture has pixels");
+        assert_binary_snapshot!(&format!("{name}.png"), bytes);
+    });
+    std::fs::remove_file(&drawn).expect("it was just written");
+}
+
+/// Compares a small picture with a text snapshot, a character a pixel, so that a review can read it: `.` is
+/// black, `#` is white, and a digit says how many ninths of the way it is.
+///
+/// # Panics
+/// Where it differs, or there is no such snapshot.
+pub fn assert_text(name: &str, image: &Image) {
+    let symbol = |x, y| match image.get(x, y).map_or(0, common::Color::luma) {
+        0 => '.',
+        255 => '#',
+        level => char::from(b'0' + (u32::from(level) * 9 / 255).max(1) as u8),
+    };
+    let rows =
+        (0..image.height()).rev().map(|y| (0..image.width()).map(|x| symbol(x, y)).collect::<String>());
+    let text = rows.collect::<Vec<_>>().join("\n");
+    settings().bind(|| assert_snapshot!(name, text));
+}
+
+/// The rectangle of pixels from (0, 0) on.
+#[must_use]
+pub fn window(width: i32, height: i32) -> Bounds {
+    Bounds { min: IVec2::ZERO, max: IVec2::new(width - 1, height - 1) }
+}
+
+/// The row of a table of methods that has that name.
+///
+/// # Panics
+/// Where there is none.
+#[must_use]
+pub fn method<'a, F>(table: &'a [common::Method<F>], name: &str) -> &'a F {
+    &common::Method::find(table, name).unwrap_or_else(|| panic!("there is no method `{name}`")).run
+}

@@ -32,8 +32,11 @@ pub struct Line {
     /// Draws the segment; compiled for just this, it is what gets timed.
     pub draw: fn(IVec2, IVec2, &mut Image, Color),
     /// Calls `plot(x, y, coverage)` for the pixels of the segment; tests look at it this way.
-    pub visit: fn(IVec2, IVec2, Bounds, &mut dyn FnMut(i32, i32, u8)),
+    pub visit: Visit,
 }
+
+/// Two ends, a window, and `plot(x, y, coverage)`.
+pub type Visit = fn(IVec2, IVec2, Bounds, &mut dyn FnMut(i32, i32, u8));
 
 /// Draws the segment from `a` to `b`, both included, by Bresenham's algorithm. What lies outside the
 /// picture is left out and costs nothing.
@@ -79,31 +82,31 @@ pub const METHODS: &[Method<Line>] = &[
         name: "transposed",
         run: both!(slides::transposed),
         promise: "no gaps in any direction, less than 1 px off",
-        failure: "a wrong pixel if both ends are one; rounds down, so up to 1 px off; floats per pixel",
+        failure: "a wrong pixel if both ends are one; rounds down; f32 cannot tell neighbours beyond 2^24",
     },
     Method {
         name: "slope",
         run: both!(slides::slope),
         promise: "no gaps, one addition a pixel",
-        failure: "rounding adds up: 1 px off after some 16,000 px; rounds down",
+        failure: "rounds down; and rounding adds up: 1 px more after 16,000 px, 10 px after 65,000",
     },
     Method {
         name: "fraction",
         run: both!(slides::fraction),
         promise: "no gaps, rounds to nearest, y is an integer",
-        failure: "rounding adds up, more slowly than in `slope`; a tie may fall either way",
+        failure: "rounding adds up, more slowly: 0.01 px after a million; a tie may fall either way",
     },
     Method {
         name: "scaled",
         run: both!(slides::scaled),
         promise: "integers only: exact, at most 1/2 px off",
-        failure: "32 bits overflow from 2^30 px on; walks what cannot be seen",
+        failure: "32 bits overflow on lines of some 2^30 px; walks what cannot be seen",
     },
     Method {
         name: "listing",
         run: both!(slides::listing),
         promise: "integers only, compared with 0 (the slides' last version, as printed)",
-        failure: "steps before it plots: 1 px ahead, and past the end, on slopes above 1/2; overflows",
+        failure: "steps before it plots: 1 px ahead, and past the end, on slopes above 1/2; overflows too",
     },
     Method {
         name: "bresenham",
@@ -114,7 +117,7 @@ pub const METHODS: &[Method<Line>] = &[
     Method {
         name: "wu",
         run: both!(wu),
-        promise: "smooth: two pixels share each column; any 32-bit ends; costs only what can be seen",
+        promise: "smooth: two pixels share each column, 1/255 px off; any 32-bit ends; costs only what can be seen",
         failure: "twice the pixels, each mixed with what lies below; lines look a little thicker",
     },
 ];

@@ -41,7 +41,12 @@ impl Major {
     /// The steps in which the pixel `risen` across, or the next `wider` ones, can be seen in the window.
     /// `reach(n)` is the first step, at least 0, in which the segment has risen by at least `n`, if it were
     /// long enough.
-    pub(crate) fn visible(&self, window: Bounds, wider: i64, reach: impl Fn(i64) -> i128) -> RangeInclusive<i64> {
+    pub(crate) fn visible(
+        &self,
+        window: Bounds,
+        wider: i64,
+        reach: impl Fn(i64) -> i128,
+    ) -> RangeInclusive<i64> {
         let reach = |risen| reach(risen).min(i128::from(self.length) + 1) as i64;
         let [min, max] = [window.min, window.max].map(|corner| if self.steep { corner.yx() } else { corner });
         let (start, rise_from) = (i64::from(self.start.x), i64::from(self.start.y));

@@ -47,9 +47,13 @@ pub fn per_column(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, 
 }
 // ANCHOR_END: per_column
 
-/// Swaps x and y of steep lines, and the ends of those that go left; tells which lines are steep.
+/// Swaps x and y of steep lines, and the ends of those that go left; `plot` will swap x and y back.
 // ANCHOR: transpose
-fn transpose(mut a: IVec2, mut b: IVec2) -> (IVec2, IVec2, bool) {
+fn transpose(
+    mut a: IVec2,
+    mut b: IVec2,
+    mut plot: impl FnMut(i32, i32, u8),
+) -> (IVec2, IVec2, impl FnMut(i32, i32)) {
     let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
     if steep {
         (a, b) = (a.yx(), b.yx());
@@ -57,24 +61,24 @@ fn transpose(mut a: IVec2, mut b: IVec2) -> (IVec2, IVec2, bool) {
     if a.x > b.x {
         swap(&mut a, &mut b);
     }
-    (a, b, steep)
+    (a, b, move |x, y| if steep { plot(y, x, FULL) } else { plot(x, y, FULL) })
 }
 
 /// [`per_column`], mended for steep and for leftward lines.
-pub fn transposed(a: IVec2, b: IVec2, window: Bounds, mut plot: impl FnMut(i32, i32, u8)) {
-    let (a, b, steep) = transpose(a, b);
-    per_column(a, b, window, |x, y, coverage| if steep { plot(y, x, coverage) } else { plot(x, y, coverage) });
+pub fn transposed(a: IVec2, b: IVec2, window: Bounds, plot: impl FnMut(i32, i32, u8)) {
+    let (a, b, mut plot) = transpose(a, b, plot);
+    per_column(a, b, window, |x, y, _| plot(x, y));
 }
 // ANCHOR_END: transpose
 
 /// Adds the slope once a column: no multiplication or division in the loop, but each sum is rounded.
 // ANCHOR: slope
-pub fn slope(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8)) {
-    let (a, b, steep) = transpose(a, b);
+pub fn slope(a: IVec2, b: IVec2, _: Bounds, plot: impl FnMut(i32, i32, u8)) {
+    let (a, b, mut plot) = transpose(a, b, plot);
     let step = (b.y as f32 - a.y as f32) / (b.x as f32 - a.x as f32);
     let mut y = a.y as f32;
     for x in a.x..=b.x {
-        if steep { plot(y as i32, x, FULL) } else { plot(x, y as i32, FULL) }
+        plot(x, y as i32);
         y += step;
     }
 }
@@ -82,14 +86,14 @@ pub fn slope(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8)) 
 
 /// Keeps the whole part of y apart from the fraction, which stays between −½ and ½ and so loses less.
 // ANCHOR: fraction
-pub fn fraction(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8)) {
-    let (a, b, steep) = transpose(a, b);
+pub fn fraction(a: IVec2, b: IVec2, _: Bounds, plot: impl FnMut(i32, i32, u8)) {
+    let (a, b, mut plot) = transpose(a, b, plot);
     let step = (b.y as f32 - a.y as f32).abs() / (b.x as f32 - a.x as f32);
     let sign = if b.y > a.y { 1 } else { -1 };
     let mut y = a.y;
     let mut part = 0.0;
     for x in a.x..=b.x {
-        if steep { plot(y, x, FULL) } else { plot(x, y, FULL) }
+        plot(x, y);
         part += step;
         if part > 0.5 {
             part -= 1.0;
@@ -107,15 +111,16 @@ fn doubled(a: IVec2, b: IVec2) -> (Wrapping<i32>, Wrapping<i32>, i32) {
 }
 
 /// Multiplies everything by 2dx: the same in whole numbers, and therefore exact.
-/// 2dx does not fit into 32 bits from 2³⁰ pixels on.
+///
+/// Sums of up to dx + 2dy do not fit into 32 bits on lines of some 2³⁰ pixels.
 // ANCHOR: scaled
-pub fn scaled(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8)) {
-    let (a, b, steep) = transpose(a, b);
+pub fn scaled(a: IVec2, b: IVec2, _: Bounds, plot: impl FnMut(i32, i32, u8)) {
+    let (a, b, mut plot) = transpose(a, b, plot);
     let (dx, step, sign) = doubled(a, b);
     let mut y = a.y;
     let mut part = Wrapping(0);
     for x in a.x..=b.x {
-        if steep { plot(y, x, FULL) } else { plot(x, y, FULL) }
+        plot(x, y);
         part += step;
         if part > dx {
             part -= Wrapping(2) * dx;
@@ -129,8 +134,8 @@ pub fn scaled(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8))
 ///
 /// On slopes above ½ the first column is already one row too far, and the last one lies past the end.
 // ANCHOR: listing
-pub fn listing(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8)) {
-    let (a, b, steep) = transpose(a, b);
+pub fn listing(a: IVec2, b: IVec2, _: Bounds, plot: impl FnMut(i32, i32, u8)) {
+    let (a, b, mut plot) = transpose(a, b, plot);
     let (dx, step, sign) = doubled(a, b);
     let mut y = a.y;
     let mut part = -dx;
@@ -140,7 +145,7 @@ pub fn listing(a: IVec2, b: IVec2, _: Bounds, mut plot: impl FnMut(i32, i32, u8)
             part -= Wrapping(2) * dx;
             y = y.wrapping_add(sign);
         }
-        if steep { plot(y, x, FULL) } else { plot(x, y, FULL) }
+        plot(x, y);
     }
 }
 // ANCHOR_END: listing

@@ -2,7 +2,7 @@
 //!
 //! Any point of the plane is *P = α·A + β·B + γ·C* with *α + β + γ = 1*, and it is inside the triangle when no
 //! weight is negative. Written as *P = A + u·AB + v·AC*, the vector *(u, v, 1)* is at right angles both to
-//! *(ABx, ACx, PAx)* and to *(ABy, ACy, PAy)*; so it is along their cross product (slides, *Coordonnées
+//! *(`ABx`, `ACx`, `PAx`)* and to *(`ABy`, `ACy`, `PAy`)*; so it is along their cross product (slides, *Coordonnées
 //! barycentriques*).
 
 use common::{Bounds, Vec2, Vec3};

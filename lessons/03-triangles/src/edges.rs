@@ -13,7 +13,7 @@
 //! outside is ever looked at, and inside, two additions a pixel keep the weights up to date.
 //!
 //! **Which integer?** Corners of ±2²⁰ px are ±2²⁸ in 1/256 px. Their differences are at most 2²⁹, and so are
-//! those to a pixel's centre in bounds as far out; a product of two is at most 2⁵⁸, E as a difference of two
+//! those to a pixel's centre in the triangle's bounding box; a product of two is at most 2⁵⁸, E as a difference of two
 //! products at most 2⁵⁹, and the step from one pixel to the next at most 256·2²⁹ = 2³⁷: an `i64` holds them
 //! all with 2 bits to spare. What lies farther out, up to ±2⁵² px, is computed in the same way in `i128`,
 //! where E is at most 2¹²³. Beyond that, and for NaN, nothing is drawn.
@@ -34,8 +34,7 @@ const WIDE: f32 = (1_u64 << 52) as f32;
 /// Calls `visit(x, y, weights)` for each pixel in `bounds` that the triangle covers, rows from the bottom.
 ///
 /// Corners are in pixels, in any order. The weights are those of the corners at the pixel's centre: each
-/// between 0 and 1, their sum 1 to within 1e-6. A triangle without area covers nothing. `bounds` lies
-/// within ±2²⁰ px, as an [`Image`](common::Image)'s does.
+/// between 0 and 1, their sum 1 to within 1e-6. A triangle without area covers nothing.
 // ANCHOR: fill
 pub fn fill(corners: [Vec2; 3], bounds: Bounds, visit: impl FnMut(i32, i32, Vec3)) {
     // NaN is within no limit.

@@ -30,8 +30,11 @@ pub struct Triangle {
     /// Colours the triangle's pixels; compiled for just this, it is what gets timed.
     pub draw: fn([Vec2; 3], &mut Image, Color),
     /// Calls `visit(x, y, weights)` for the triangle's pixels in the bounds; tests look at it this way.
-    pub visit: fn([Vec2; 3], Bounds, &mut dyn FnMut(i32, i32, Vec3)),
+    pub visit: Visit,
 }
+
+/// Three corners, bounds, and `visit(x, y, weights)`.
+pub type Visit = fn([Vec2; 3], Bounds, &mut dyn FnMut(i32, i32, Vec3));
 
 /// Makes a [`Triangle`] of a generic method.
 macro_rules! both {

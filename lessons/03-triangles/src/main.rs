@@ -8,9 +8,18 @@ use triangles::{draw_model, flat_intensity};
 
 /// The slides' three triangles.
 const TRIANGLES: [TriangleFlag; 3] = [
-    TriangleFlag { corners: [Vec2::new(10.0, 70.0), Vec2::new(50.0, 160.0), Vec2::new(70.0, 80.0)], color: Color::RED },
-    TriangleFlag { corners: [Vec2::new(180.0, 50.0), Vec2::new(150.0, 1.0), Vec2::new(70.0, 180.0)], color: Color::WHITE },
-    TriangleFlag { corners: [Vec2::new(180.0, 150.0), Vec2::new(120.0, 160.0), Vec2::new(130.0, 180.0)], color: Color::GREEN },
+    TriangleFlag {
+        corners: [Vec2::new(10.0, 70.0), Vec2::new(50.0, 160.0), Vec2::new(70.0, 80.0)],
+        color: Color::RED,
+    },
+    TriangleFlag {
+        corners: [Vec2::new(180.0, 50.0), Vec2::new(150.0, 1.0), Vec2::new(70.0, 180.0)],
+        color: Color::WHITE,
+    },
+    TriangleFlag {
+        corners: [Vec2::new(180.0, 150.0), Vec2::new(120.0, 160.0), Vec2::new(130.0, 180.0)],
+        color: Color::GREEN,
+    },
 ];
 
 fn main() -> ExitCode {
@@ -23,7 +32,8 @@ fn main() -> ExitCode {
         draw: |flags, method| {
             if flags.model.is_none() {
                 let mut image = flags.canvas(200, 200);
-                let triangles = if flags.triangle.is_empty() { TRIANGLES.as_slice() } else { &flags.triangle };
+                let triangles =
+                    if flags.triangle.is_empty() { TRIANGLES.as_slice() } else { &flags.triangle };
                 for &TriangleFlag { corners, color } in triangles {
                     (method.draw)(corners, &mut image, color);
                 }

@@ -1,0 +1,62 @@
+//! The lessons' pictures, drawn by the lessons' programs and brought to one size.
+
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, ensure};
+use common::Image;
+
+/// Width and height of the pictures, in pixels.
+const SIZE: u16 = 400;
+
+/// File name, lesson and flags of each picture.
+const PICTURES: &[(&str, &str, &[&str])] = &[
+    ("01-lines.png", "lines", &[]),
+    ("02-wireframe.png", "wireframe", &[]),
+    ("03-triangles.png", "triangles", &[]),
+    ("03-triangles-random.png", "triangles", &["--model", "--fill", "random"]),
+    ("03-triangles-flat.png", "triangles", &["--model"]),
+];
+
+/// Draws every picture into a folder, which must exist.
+pub(crate) fn draw_all(folder: &Path) -> anyhow::Result<()> {
+    for (name, lesson, flags) in PICTURES {
+        draw(lesson, flags)?.write(&folder.join(name))?;
+        println!("{name}");
+    }
+    Ok(())
+}
+
+/// The picture that a lesson's program draws, made larger or smaller.
+fn draw(lesson: &str, flags: &[&str]) -> anyhow::Result<Image> {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("picture.png");
+    let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
+    let run = ["run", "--quiet", "--package", lesson, "--", "--quiet", "--out"];
+    let output = Command::new(cargo)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(run)
+        .arg(&path)
+        .args(flags)
+        .output()
+        .context("cannot start cargo")?;
+    ensure!(output.status.success(), "{lesson}: {}", String::from_utf8_lossy(&output.stderr).trim());
+    Ok(Image::read(&path)?.scale(SIZE, SIZE))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_committed_pictures_are_what_the_lessons_draw() {
+        let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("chapters/pictures");
+        for (name, lesson, flags) in PICTURES {
+            let picture = Image::read(&committed.join(name)).ok();
+            assert!(
+                picture.as_ref() == Some(&draw(lesson, flags).unwrap()),
+                "{name} is out of date: run cargo run -p book -- pictures, and look at it"
+            );
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! A drawn segment against the ideal line, in rational numbers.
+//!
+//! Distances are measured across the major axis, the one along which the segment is longer, between a
+//! pixel's centre and the line through the centres of the two end pixels. The distance at a right angle is
+//! never larger.
+
+use std::collections::BTreeMap;
+
+use common::IVec2;
+
+/// How the pixels of a drawn segment lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// Pixels, counted as often as they were plotted.
+    pub pixels: usize,
+    /// Steps along the major axis, between the ends, that have no pixel.
+    pub gaps: u64,
+    /// Steps that have more than one pixel, or the same one more than once.
+    pub doubled: u64,
+    /// Pixels before the first end or behind the second.
+    pub beyond: usize,
+    /// How many of the two ends were not plotted.
+    pub missed_ends: usize,
+    /// The largest distance of a pixel from the line, in px: exact, then rounded to f64.
+    pub largest: f64,
+    /// Whether the largest distance is at most ½ px: decided exactly.
+    pub nearest: bool,
+    /// The mean distance, in px.
+    pub mean: f64,
+}
+
+impl Report {
+    /// Whether this is what an ideal algorithm draws: one pixel a step, the nearest one, both ends.
+    #[must_use]
+    pub fn is_ideal(&self) -> bool {
+        (self.gaps, self.doubled, self.beyond, self.missed_ends) == (0, 0, 0, 0) && self.nearest
+    }
+}
+
+/// The segment with its major axis first.
+struct Axes {
+    steep: bool,
+    start: [i128; 2],
+    /// Signed extent along the major and the minor axis.
+    extent: [i128; 2],
+}
+
+impl Axes {
+    fn new(a: IVec2, b: IVec2) -> Self {
+        let [dx, dy] = [i128::from(b.x) - i128::from(a.x), i128::from(b.y) - i128::from(a.y)];
+        let steep = dy.abs() > dx.abs();
+        let order = |x: i128, y: i128| if steep { [y, x] } else { [x, y] };
+        Self { steep, start: order(a.x.into(), a.y.into()), extent: order(dx, dy) }
+    }
+
+    /// Steps from the start, counted towards the end; and the distance's numerator over the segment's
+    /// length (over 1 if that is 0), with `minor` and the result in units of 1/`unit`.
+    fn locate(&self, major: i128, minor: i128, unit: i128) -> (i128, i128) {
+        let [along, across] = self.extent;
+        let step = (major - self.start[0]) * if along < 0 { -1 } else { 1 };
+        let off = minor - self.start[1] * unit;
+        if along == 0 {
+            return (step, off.abs().max(step.abs() * unit));
+        }
+        (step, (off * along.abs() - across * step * unit).abs())
+    }
+
+    fn length(&self) -> i128 {
+        self.extent[0].abs()
+    }
+}
+
+/// Measures the pixels of a segment from `a` to `b` that was drawn without smoothing.
+#[must_use]
+pub fn measure(a: IVec2, b: IVec2, pixels: &[(i32, i32)]) -> Report {
+    let axes = Axes::new(a, b);
+    let located = |&(x, y): &(i32, i32)| {
+        let [major, minor] = if axes.steep { [y, x] } else { [x, y] };
+        axes.locate(major.into(), minor.into(), 1)
+    };
+    let mut steps: BTreeMap<i128, u64> = BTreeMap::new();
+    let (mut largest, mut sum) = (0, 0);
+    for (step, distance) in pixels.iter().map(located) {
+        *steps.entry(step).or_default() += 1;
+        largest = largest.max(distance);
+        sum += distance;
+    }
+    let within: Vec<u64> = steps.range(0..=axes.length()).map(|(_, &count)| count).collect();
+    let denominator = axes.length().max(1);
+    Report {
+        pixels: pixels.len(),
+        gaps: (axes.length() + 1) as u64 - within.len() as u64,
+        doubled: within.iter().filter(|&&count| count > 1).count() as u64,
+        beyond: pixels.len() - within.iter().sum::<u64>() as usize,
+        missed_ends: [a, b].iter().filter(|end| !pixels.contains(&(end.x, end.y))).count(),
+        largest: largest as f64 / denominator as f64,
+        nearest: 2 * largest <= denominator,
+        mean: sum as f64 / denominator as f64 / pixels.len().max(1) as f64,
+    }
+}
+
+/// The largest distance from the line, in px, of the centre of mass of a step's pixels; for a smooth line.
+/// Infinite where a step has no pixel or their coverages do not add up to 255.
+#[must_use]
+pub fn largest_smooth(a: IVec2, b: IVec2, pixels: &[(i32, i32, u8)]) -> f64 {
+    let axes = Axes::new(a, b);
+    let mut mass: BTreeMap<i128, (i128, i128)> = BTreeMap::new();
+    for &(x, y, coverage) in pixels {
+        let [major, minor] = if axes.steep { [y, x] } else { [x, y] }.map(i128::from);
+        let (total, moment) = mass.entry(major).or_default();
+        *total += i128::from(coverage);
+        *moment += minor * i128::from(coverage);
+    }
+    let whole = mass.len() as i128 == axes.length() + 1 && mass.values().all(|&(total, _)| total == 255);
+    let distance = |(&major, &(_, moment)): (&i128, &(i128, i128))| axes.locate(major, moment, 255).1;
+    let largest = mass.iter().map(distance).max().unwrap_or(0);
+    if whole { largest as f64 / 255.0 / axes.length().max(1) as f64 } else { f64::INFINITY }
+}
+
+/// Whether an ideal algorithm draws the pixel (x, y): its centre is less than ½ px from the line, or exactly
+/// ½ px on the side of the end that comes first along the major axis.
+#[must_use]
+pub fn draws(a: IVec2, b: IVec2, x: i32, y: i32) -> bool {
+    Axes::new(a, b)
+        .above(x, y)
+        .is_some_and(|(above, length)| -length <= 2 * above && 2 * above < length.max(1))
+}
+
+/// How much of the pixel (x, y) a smooth line takes: 1 less its distance from the line in px, at least 0.
+#[must_use]
+pub fn smooth_share(a: IVec2, b: IVec2, x: i32, y: i32) -> f64 {
+    let share = |(above, length): (i128, i128)| (1.0 - above.abs() as f64 / length.max(1) as f64).max(0.0);
+    Axes::new(a, b).above(x, y).map_or(0.0, share)
+}
+
+impl Axes {
+    /// How far a pixel lies beyond the line, seen from the first end along the major axis, with the
+    /// segment's length as the unit; and that length. `None` before the first end and behind the second.
+    fn above(&self, x: i32, y: i32) -> Option<(i128, i128)> {
+        let [major, minor] = if self.steep { [y, x] } else { [x, y] }.map(i128::from);
+        let [along, across] = self.extent;
+        let ends = [self.start, [self.start[0] + along, self.start[1] + across]];
+        let [first, last] = if along < 0 { [ends[1], ends[0]] } else { ends };
+        let (length, rise) = (last[0] - first[0], last[1] - first[1]);
+        let step = major - first[0];
+        let risen = (minor - first[1]) * if rise < 0 { -1 } else { 1 };
+        let above = if length == 0 { risen } else { risen * length - step * rise.abs() };
+        (0..=length).contains(&step).then_some((above, length))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: IVec2 = IVec2::new(2, 1);
+
+    #[test]
+    fn an_ideal_line_is_ideal_from_either_end() {
+        let pixels = [(2, 1), (3, 1), (4, 2), (5, 2)];
+        for [from, to] in [[A, IVec2::new(5, 2)], [IVec2::new(5, 2), A]] {
+            let report = measure(from, to, &pixels);
+            assert!(report.is_ideal());
+            assert_eq!((report.largest, report.mean), (1.0 / 3.0, 1.0 / 6.0));
+        }
+    }
+
+    #[test]
+    fn every_fault_is_counted() {
+        // Steep and downward; one step missing, one doubled, one pixel beyond, the far end missed.
+        let report = measure(A, IVec2::new(2, -3), &[(2, 1), (2, 0), (3, 0), (2, -2), (2, 2)]);
+        let counts = (report.pixels, report.gaps, report.doubled, report.beyond, report.missed_ends);
+        assert_eq!(counts, (5, 2, 1, 1, 1));
+        assert_eq!((report.largest, report.nearest), (1.0, false));
+    }
+
+    #[test]
+    fn a_segment_of_one_pixel_has_distances_too() {
+        assert!(measure(A, A, &[(2, 1)]).is_ideal());
+        assert_eq!(measure(A, A, &[(2, 0)]).largest, 1.0);
+        assert_eq!(measure(A, A, &[]).gaps, 1);
+    }
+
+    #[test]
+    fn a_tie_goes_to_the_first_end() {
+        // Half-way, the line from (0, 0) to (2, 1) is ½ px from two pixels, as is its mirror image.
+        for (b, tie, other) in [(IVec2::new(2, 1), 0, 1), (IVec2::new(2, -1), 0, -1)] {
+            for [from, to] in [[IVec2::ZERO, b], [b, IVec2::ZERO]] {
+                assert!(draws(from, to, 1, tie) && !draws(from, to, 1, other));
+                assert!(draws(from, to, 2, b.y) && !draws(from, to, 3, b.y));
+                assert_eq!([tie, other, 5].map(|y| smooth_share(from, to, 1, y)), [0.5, 0.5, 0.0]);
+            }
+        }
+        assert!(draws(A, A, 2, 1) && !draws(A, A, 2, 0) && !draws(A, A, 2, 2) && !draws(A, A, 3, 1));
+    }
+
+    #[test]
+    fn a_smooth_line_is_where_its_mass_is() {
+        let b = IVec2::new(4, 2);
+        let good = [(2, 1, 255), (3, 1, 127), (3, 2, 128), (4, 2, 255)];
+        assert!((largest_smooth(A, b, &good) - 0.5 / 255.0).abs() < 1e-12);
+        assert_eq!(largest_smooth(A, b, &good[..3]), f64::INFINITY);
+        assert_eq!(largest_smooth(A, b, &[(2, 1, 255), (3, 1, 127), (4, 2, 255)]), f64::INFINITY);
+    }
+}

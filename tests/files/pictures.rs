@@ -1,0 +1,164 @@
+use std::fs;
+use std::path::Path;
+
+use common::file::Encoding;
+use common::{Color, Format, Image};
+use proptest::prelude::*;
+use tempfile::tempdir;
+use verify::run;
+
+use crate::{assert_fails, names};
+
+fn sample() -> Image {
+    let mut image = Image::new(9, 7, Format::Rgb);
+    for n in 0..40 {
+        image.set(n % 9, n / 9, Color::random(n as u64 / 3));
+    }
+    image
+}
+
+#[test]
+fn a_name_says_what_a_picture_is() {
+    let folder = tempdir().unwrap();
+    for (name, begins) in
+        [("a.png", &b"\x89PNG"[..]), ("b.PNG", b"\x89PNG"), ("c.tga", b"\0\0\x0a"), ("d.Tga", b"\0\0\x0a")]
+    {
+        assert!(run("lines", folder.path(), &["--out", name]).status.success());
+        assert!(fs::read(folder.path().join(name)).unwrap().starts_with(begins), "{name}");
+    }
+    for name in ["picture", "picture.bmp", ".png", "folder/", ".."] {
+        assert_fails(&run("lines", folder.path(), &["--out", name]), 1, &["must end in .tga or .png"]);
+    }
+}
+
+#[test]
+fn without_a_name_there_are_two_files_in_out() {
+    let folder = tempdir().unwrap();
+    for _ in 0..2 {
+        let output = run("lines", folder.path(), &[]);
+        let said = format!("out{0}01-lines.tga, out{0}01-lines.png (100x100)\n", std::path::MAIN_SEPARATOR);
+        assert_eq!(String::from_utf8_lossy(&output.stdout), said);
+    }
+    assert_eq!(names(&folder.path().join("out")), ["01-lines.png", "01-lines.tga"]);
+    let [tga, png] =
+        ["tga", "png"].map(|e| Image::read(&folder.path().join("out/01-lines").with_extension(e)).unwrap());
+    assert_eq!(tga, png);
+}
+
+#[test]
+fn a_named_folder_must_exist() {
+    let folder = tempdir().unwrap();
+    assert_fails(
+        &run("lines", folder.path(), &["--out", "none/a.png"]),
+        1,
+        &["none", "a.png", "folder does not exist, create it first"],
+    );
+    fs::write(folder.path().join("out"), "a file").unwrap();
+    assert_fails(&run("lines", folder.path(), &[]), 1, &["cannot create the folder out/"]);
+    assert_fails(&run("lines", folder.path(), &["--out", "out/a.png"]), 1, &["folder does not exist"]);
+    assert_eq!(names(folder.path()), ["out"]);
+}
+
+#[test]
+fn what_cannot_be_replaced_stays() {
+    let folder = tempdir().unwrap();
+    fs::create_dir_all(folder.path().join("a.png/inside")).unwrap();
+    assert_fails(&run("lines", folder.path(), &["--out", "a.png"]), 1, &["cannot write a.png"]);
+    assert_eq!(names(folder.path()), ["a.png"]);
+    assert_eq!(names(&folder.path().join("a.png")), ["inside"]);
+}
+
+/// A device with no room left, played by a limit on the size of a file: the old picture stays whole.
+#[cfg(unix)]
+#[test]
+fn a_full_device_loses_nothing() {
+    let folder = tempdir().unwrap();
+    assert!(run("triangles", folder.path(), &["--out", "a.png"]).status.success());
+    let before = fs::read(folder.path().join("a.png")).unwrap();
+    let limited = "trap '' XFSZ; ulimit -f 1; exec \"$0\" --size 500x500 --fill random --model --out a.png";
+    let program = verify::program("triangles", folder.path());
+    let output = std::process::Command::new("sh")
+        .args(["-c", limited])
+        .arg(program.get_program())
+        .current_dir(folder.path())
+        .output();
+    assert_fails(&output.unwrap(), 1, &["cannot write a.png", "File too large"]);
+    assert_eq!(names(folder.path()), ["a.png"]);
+    assert!(fs::read(folder.path().join("a.png")).unwrap() == before);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_told() {
+    let folder = tempdir().unwrap();
+    let full = || fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    for arguments in [&["--list"][..], &["--help"], &["--out", "a.png"]] {
+        let output = verify::program("lines", folder.path()).args(arguments).stdout(full()).output().unwrap();
+        assert_fails(&output, 1, &["cannot write to standard output", "No space left on device"]);
+    }
+}
+
+#[test]
+fn a_truncated_or_altered_picture_is_an_error_that_names_it() {
+    let folder = tempdir().unwrap();
+    let huge = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 32, 8];
+    let tga = sample().encode(Encoding::TgaRle).unwrap();
+    let png = sample().encode(Encoding::Png).unwrap();
+    for (name, bytes) in [
+        ("empty.tga", &[][..]),
+        ("empty.png", &[]),
+        ("half.tga", &tga[..tga.len() / 2]),
+        ("half.png", &png[..png.len() / 2]),
+        ("huge.tga", &huge),
+        ("png.tga", &png),
+        ("tga.png", &tga),
+        ("text.png", b"v 0 0 0"),
+    ] {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        let error = Image::read(&path).unwrap_err().to_string();
+        assert!(error.contains(name) && error.contains("not a picture that can be read"), "{error}");
+    }
+    let missing = Image::read(Path::new("none/none.png")).unwrap_err().to_string();
+    assert_eq!(missing, "cannot read none/none.png");
+    fs::create_dir(folder.path().join("folder.png")).unwrap();
+    assert!(Image::read(&folder.path().join("folder.png")).is_err());
+}
+
+#[test]
+fn a_picture_without_pixels_is_not_written() {
+    let folder = tempdir().unwrap();
+    let error = Image::new(0, 5, Format::Rgb).write(&folder.path().join("a.tga")).unwrap_err();
+    assert!(error.to_string().contains("cannot be encoded"));
+    assert_eq!(names(folder.path()), [""; 0]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_endless_file_is_refused() {
+    let folder = tempdir().unwrap();
+    std::os::unix::fs::symlink("/dev/zero", folder.path().join("zero.png")).unwrap();
+    let error = Image::read(&folder.path().join("zero.png")).unwrap_err().to_string();
+    assert!(error.contains("larger than the 256 MiB that are read"), "{error}");
+}
+
+proptest! {
+    /// However the bytes of a picture are altered, reading them gives a picture or an error.
+    #[test]
+    fn no_bytes_panic(
+        format in 0..3usize,
+        encoding in 0..3usize,
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..9),
+        cut in any::<prop::sample::Index>(),
+    ) {
+        let encoding = [Encoding::TgaRle, Encoding::TgaRaw, Encoding::Png][encoding];
+        let mut bytes = Image::new(7, 5, [Format::Gray, Format::Rgb, Format::Rgba][format]).encode(encoding).unwrap();
+        for (at, byte) in changes {
+            // The first bytes, the header, are altered more often than the rest.
+            let at = at.index(bytes.len()).min(at.index(40));
+            bytes[at] = byte;
+        }
+        bytes.truncate(bytes.len() - cut.index(bytes.len() + 1) / 4);
+        let _ = Image::decode(&bytes, encoding);
+    }
+}

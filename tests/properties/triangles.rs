@@ -1,0 +1,176 @@
+//! The four hopes of the slides as properties of `edges`: symmetric, independent of the corners' order, no
+//! hole and no doubled pixel between neighbours; and simply right.
+
+use checks::coverage::Triangle;
+use common::{Bounds, IVec2, Vec2, Vec3};
+use proptest::prelude::*;
+use triangles::{METHODS, fill};
+use verify::window;
+
+/// Corners about a window of 24 px: anywhere, on whole and half pixels, and on 1/256 px.
+fn corner() -> impl Strategy<Value = Vec2> {
+    let coordinate = || {
+        prop_oneof![
+            -8.0f32..32.0,
+            (-8..32).prop_map(|n| n as f32),
+            (-16..64).prop_map(|n| n as f32 / 2.0),
+            (-2048..8192).prop_map(|n| n as f32 / 256.0),
+        ]
+    };
+    (coordinate(), coordinate()).prop_map(Vec2::from)
+}
+
+/// Corners as far out as f32 goes, most of them where the lesson promises to be exact.
+fn far_corner() -> impl Strategy<Value = Vec2> {
+    let coordinate = || {
+        let scale = prop_oneof![Just(1e2f32), Just(1e4), Just(1e6), Just(1e7), Just(1e12), Just(4e15)];
+        prop_oneof![(scale, -1.0f32..1.0).prop_map(|(scale, c)| scale * c), -8.0f32..32.0]
+    };
+    (coordinate(), coordinate()).prop_map(Vec2::from)
+}
+
+fn pixels(corners: [Vec2; 3], bounds: Bounds) -> Vec<(i32, i32)> {
+    let mut pixels = Vec::new();
+    fill(corners, bounds, |x, y, _| pixels.push((x, y)));
+    pixels
+}
+
+/// How often each pixel of a window is covered, all triangles together.
+fn counts(triangles: &[[Vec2; 3]], width: i32, height: i32) -> Vec<u32> {
+    let mut counts = vec![0; (width * height) as usize];
+    for &triangle in triangles {
+        fill(triangle, window(width, height), |x, y, _| counts[(y * width + x) as usize] += 1);
+    }
+    counts
+}
+
+/// A rectangle of 20×14 px cut into fields whose inner corners are moved about, each field cut in two.
+fn tiled_grid() -> impl Strategy<Value = Vec<[Vec2; 3]>> {
+    let (columns, rows) = (5, 4);
+    // Below a quarter of a field no field loses its convexity, so that either diagonal cuts it in two.
+    let shifts = prop::collection::vec((-0.24f32..0.24, -0.24f32..0.24), (columns + 1) * (rows + 1));
+    let cuts = prop::collection::vec((any::<bool>(), any::<bool>(), 0..3usize), columns * rows);
+    (shifts, cuts).prop_map(move |(shifts, cuts)| {
+        let corner = |i: usize, j: usize| {
+            let (dx, dy) = shifts[j * (columns + 1) + i];
+            let x = if i == 0 || i == columns { 0.0 } else { dx };
+            let y = if j == 0 || j == rows { 0.0 } else { dy };
+            Vec2::new((i as f32 + x) * 4.0, (j as f32 + y) * 3.5)
+        };
+        let mut triangles = Vec::new();
+        for (n, (rising, swapped, turned)) in cuts.into_iter().enumerate() {
+            let (i, j) = (n % columns, n / columns);
+            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            let halves = if rising { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+            for mut half in halves {
+                half.rotate_left(turned);
+                if swapped {
+                    half.swap(0, 1);
+                }
+                triangles.push(half);
+            }
+        }
+        triangles
+    })
+}
+
+/// A rectangle of 16×16 px cut into a fan about any point in it, with corners anywhere on its border.
+fn fan() -> impl Strategy<Value = Vec<[Vec2; 3]>> {
+    let side = || prop::collection::vec((0..=4096).prop_map(|n| n as f32 / 256.0), 0..6);
+    ((0.0f32..16.0, 0.0f32..16.0), side(), side(), side(), side()).prop_map(
+        |(hub, south, east, north, west)| {
+            let sorted = |mut side: Vec<f32>, corner: f32, down: bool| {
+                side.push(corner);
+                side.sort_by(f32::total_cmp);
+                if down {
+                    side.reverse();
+                }
+                side
+            };
+            let south = sorted(south, 0.0, false).into_iter().map(|x| Vec2::new(x, 0.0));
+            let east = sorted(east, 0.0, false).into_iter().map(|y| Vec2::new(16.0, y));
+            let north = sorted(north, 16.0, true).into_iter().map(|x| Vec2::new(x, 16.0));
+            let west = sorted(west, 16.0, true).into_iter().map(|y| Vec2::new(0.0, y));
+            let rim: Vec<Vec2> = south.chain(east).chain(north).chain(west).collect();
+            (0..rim.len()).map(|n| [Vec2::from(hub), rim[n], rim[(n + 1) % rim.len()]]).collect()
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn coverage_is_exact(corners in [corner(), corner(), corner()]) {
+        prop_assert_eq!(pixels(corners, window(24, 24)), Triangle::new(corners).pixels(window(24, 24)));
+    }
+
+    #[test]
+    fn coverage_is_exact_however_far_the_corners(corners in [far_corner(), far_corner(), far_corner()]) {
+        prop_assert_eq!(pixels(corners, window(24, 24)), Triangle::new(corners).pixels(window(24, 24)));
+    }
+
+    #[test]
+    fn weights_are_right(corners in [corner(), corner(), corner()]) {
+        let exact = Triangle::new(corners);
+        let mut wrong = Vec::new();
+        fill(corners, window(24, 24), |x, y, weights| {
+            let close = weights.to_array().iter().zip(exact.weights(x, y))
+                .all(|(&weight, exact)| (f64::from(weight) - exact).abs() < 1e-6 && (0.0..=1.0).contains(&weight));
+            if !close || (weights.element_sum() - 1.0).abs() > 1e-6 {
+                wrong.push((x, y, weights));
+            }
+        });
+        prop_assert!(wrong.is_empty(), "{:?}", wrong);
+    }
+
+    #[test]
+    fn the_order_of_the_corners_does_not_matter(corners in [corner(), corner(), corner()]) {
+        let run = |order: [usize; 3]| {
+            let mut pixels: Vec<(i32, i32, Vec3)> = Vec::new();
+            fill(order.map(|i| corners[i]), window(24, 24), |x, y, w| {
+                let mut weights = Vec3::ZERO;
+                (0..3).for_each(|n| weights[order[n]] = w[n]);
+                pixels.push((x, y, weights));
+            });
+            pixels
+        };
+        let expected = run([0, 1, 2]);
+        for order in [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            prop_assert_eq!(&run(order), &expected);
+        }
+    }
+
+    #[test]
+    fn a_triangle_turned_by_half_a_turn_covers_as_many_inner_pixels(corners in [corner(), corner(), corner()]) {
+        // Centres on a side change hands when the picture is turned, so there may be none.
+        let exact = Triangle::new(corners);
+        let on_side = |x, y| exact.weights(x, y).contains(&0.0);
+        prop_assume!(!(0..24).any(|y| (0..24).any(|x| on_side(x, y))));
+        let turned = corners.map(|corner| Vec2::splat(24.0) - corner);
+        let mut expected: Vec<_> = pixels(corners, window(24, 24)).iter().map(|&(x, y)| (23 - x, 23 - y)).collect();
+        expected.reverse();
+        prop_assert_eq!(pixels(turned, window(24, 24)), expected);
+    }
+
+    #[test]
+    fn a_grid_covers_every_pixel_once(triangles in tiled_grid()) {
+        prop_assert_eq!(counts(&triangles, 20, 14), vec![1; 20 * 14]);
+    }
+
+    #[test]
+    fn a_fan_with_slivers_covers_every_pixel_once(triangles in fan()) {
+        prop_assert_eq!(counts(&triangles, 16, 16), vec![1; 16 * 16]);
+    }
+
+    #[test]
+    fn no_method_panics_or_leaves_the_bounds(corners in any::<[f32; 6]>(), near in [corner(), corner()]) {
+        let wild = [Vec2::new(corners[0], corners[1]), Vec2::new(corners[2], corners[3]), Vec2::new(corners[4], corners[5])];
+        let bounds = Bounds { min: IVec2::new(3, 2), max: IVec2::new(12, 9) };
+        for method in METHODS {
+            for corners in [wild, [wild[0], near[0], near[1]], [wild[0], wild[1], near[0]]] {
+                let mut outside = 0;
+                (method.run.visit)(corners, bounds, &mut |x, y, _| outside += u32::from(!bounds.contains(x, y)));
+                prop_assert_eq!(outside, 0, "{}", method.name);
+            }
+        }
+    }
+}
