@@ -186,7 +186,8 @@ impl Image {
     /// The picture as the `image` crate has it, with its first row at the top.
     pub(crate) fn to_rows_down(&self) -> DynamicImage {
         let row = usize::from(self.width) * self.format as usize;
-        let bytes = self.bytes.chunks_exact(row.max(1)).rev().flatten().copied().collect();
+        let rows: Vec<&[u8]> = self.bytes.chunks_exact(row.max(1)).rev().collect();
+        let bytes = rows.concat();
         let (width, height) = (u32::from(self.width), u32::from(self.height));
         match self.format {
             Format::Gray => GrayImage::from_raw(width, height, bytes).map(DynamicImage::ImageLuma8),
