@@ -37,9 +37,17 @@ impl Color {
     /// The opaque grey of an intensity: 0 is black, 1 white. What lies outside is clamped, NaN is black.
     #[must_use]
     pub fn gray(intensity: f32) -> Self {
+        Self::WHITE.shaded(intensity)
+    }
+
+    /// The colour under a light: 1 leaves it as it is, 0 makes it black. Each channel is rounded to nearest,
+    /// what lies outside is clamped, NaN is black; alpha stays.
+    #[inline]
+    #[must_use]
+    pub fn shaded(self, intensity: f32) -> Self {
         // A float cast saturates, so this line does the clamping.
-        let level = (intensity * 255.0).round() as u8;
-        Self::rgb(level, level, level)
+        let shade = |channel: u8| (f32::from(channel) * intensity + 0.5) as u8;
+        Self { r: shade(self.r), g: shade(self.g), b: shade(self.b), a: self.a }
     }
 
     /// How bright the colour looks, by the weights of ITU-R BT.709, rounded: grey stays what it is.

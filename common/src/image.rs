@@ -4,7 +4,7 @@
 //! right way up all the same. Pixel (x, y) is the square [x, x+1) × [y, y+1).
 
 use ::image::{DynamicImage, GrayImage, RgbImage, RgbaImage, imageops::FilterType};
-use glam::IVec2;
+use glam::{IVec2, Vec2};
 
 use crate::Color;
 
@@ -72,6 +72,12 @@ impl Image {
     #[must_use]
     pub fn height(&self) -> i32 {
         i32::from(self.height)
+    }
+
+    /// Width and height, as numbers to compute with.
+    #[must_use]
+    pub fn size(&self) -> Vec2 {
+        Vec2::new(f32::from(self.width), f32::from(self.height))
     }
 
     /// What a pixel consists of.

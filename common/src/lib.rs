@@ -27,7 +27,7 @@ pub mod program;
 
 pub use color::Color;
 pub use error::Error;
-pub use glam::{IVec2, Vec2, Vec2Swizzles, Vec3};
+pub use glam::{DMat3, DVec3, IVec2, Mat3, Mat4, Quat, Vec2, Vec2Swizzles, Vec3, Vec4, Vec4Swizzles};
 pub use image::{Bounds, Format, Image};
 pub use method::Method;
 pub use model::{Attributes, Model};

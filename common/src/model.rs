@@ -106,6 +106,26 @@ impl Model {
         self.uv_indices.iter().map(|triangle| triangle.map(|i| self.uvs[i as usize]))
     }
 
+    /// The position of a corner (0, 1 or 2) of a triangle.
+    ///
+    /// # Panics
+    /// Where there is no such triangle or corner.
+    #[inline]
+    #[must_use]
+    pub fn position(&self, face: usize, corner: usize) -> Vec3 {
+        self.positions[self.triangles[face][corner] as usize]
+    }
+
+    /// The texture coordinates of a corner (0, 1 or 2) of a triangle.
+    ///
+    /// # Panics
+    /// Where there is no such triangle or corner, or the model has no texture coordinates.
+    #[inline]
+    #[must_use]
+    pub fn uv(&self, face: usize, corner: usize) -> Vec2 {
+        self.uvs[self.uv_indices[face][corner] as usize]
+    }
+
     /// What was left out of the file, if anything.
     #[must_use]
     pub fn skipped(&self) -> Option<&Skipped> {

@@ -7,15 +7,18 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use clap::{ArgAction, CommandFactory, FromArgMatches, builder::PossibleValuesParser};
 use glam::{DVec3, IVec2, Vec2, Vec3};
 
 use crate::compare::{Difference, side_by_side};
-use crate::{Attributes, Color, Format, Image, Method, Model, file, preview};
+use crate::{Attributes, Color, Error, Format, Image, Method, Model, file, preview};
 
 /// The model that lessons draw unless told otherwise.
 pub const DEFAULT_MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
+
+/// The texture of the head.
+const DEFAULT_TEXTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga");
 
 /// The flags that every lesson has; the rest of [`Flags`] are those of some.
 const SHARED: [&str; 6] = ["out", "size", "method", "list", "compare", "quiet"];
@@ -33,7 +36,26 @@ pub struct Lesson<F: 'static> {
     /// The names of its own flags, as fields of [`Flags`].
     pub flags: &'static [&'static str],
     /// Draws the picture that the flags ask for, by one method.
-    pub draw: fn(&Flags, &F) -> anyhow::Result<Image>,
+    pub draw: fn(&Flags, &F) -> anyhow::Result<Drawing>,
+    /// What `--turntable` does, in lessons that have it: draws as often as needed, with other flags each time.
+    pub turntable: Option<Turntable>,
+}
+
+/// Draws several pictures of a lesson of that name.
+pub type Turntable = fn(&Flags, &str, &dyn Fn(&Flags) -> anyhow::Result<Drawing>) -> anyhow::Result<()>;
+
+/// What a lesson has drawn.
+pub struct Drawing {
+    /// The picture.
+    pub picture: Image,
+    /// The depth buffer in grey, where `--depth` asks for it.
+    pub depth: Option<Image>,
+}
+
+impl From<Image> for Drawing {
+    fn from(picture: Image) -> Self {
+        Self { picture, depth: None }
+    }
 }
 
 /// A straight line, as `--line` gives it.
@@ -110,6 +132,42 @@ pub struct Flags {
     /// Direction from the surface to the light, of any length but 0
     #[arg(long, value_name = "x,y,z", default_value = "0,0,1", value_parser = parse_direction, allow_hyphen_values = true)]
     pub light: Vec3,
+
+    /// Also write the depth buffer as a grey picture: the nearest is white, where nothing is stays black
+    #[arg(long, value_name = "FILE")]
+    pub depth: Option<PathBuf>,
+
+    /// The model's texture, .tga or .png [default: the head's]
+    #[arg(long, value_name = "FILE")]
+    pub texture: Option<PathBuf>,
+
+    /// Distance of the eye from the origin, along z; inf is the parallel projection
+    #[arg(long, value_name = "D", default_value = "2", value_parser = parse_distance, allow_hyphen_values = true)]
+    pub distance: f32,
+
+    /// Where the eye is
+    #[arg(long, value_name = "x,y,z", default_value = "1,1,2", value_parser = parse_point, allow_hyphen_values = true)]
+    pub eye: Vec3,
+
+    /// The point it looks at, which becomes the middle of the picture
+    #[arg(long, value_name = "x,y,z", default_value = "0,0,0", value_parser = parse_point, allow_hyphen_values = true)]
+    pub center: Vec3,
+
+    /// The direction that is up in the picture
+    #[arg(long, value_name = "x,y,z", default_value = "0,1,0", value_parser = parse_point, allow_hyphen_values = true)]
+    pub up: Vec3,
+
+    /// One shader alone instead of the sheet of four
+    #[arg(long, value_name = "NAME")]
+    pub shader: Option<String>,
+
+    /// Steps of brightness of the quantized shader
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..))]
+    pub levels: u16,
+
+    /// Draw this many pictures on a circle around the model, NAME-000 and so on
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=999))]
+    pub turntable: Option<u16>,
 }
 
 impl Flags {
@@ -120,18 +178,35 @@ impl Flags {
         Image::new(width, height, Format::Rgb)
     }
 
-    /// Reads the model asked for, or else the course's own, and tells on standard error what was left out.
+    /// Reads the model asked for, or else the course's own, and tells on standard error what was left out,
+    /// or that it has no normals where the lesson wants some.
     ///
     /// # Errors
-    /// As [`Model::read`].
+    /// As [`Model::read`]; and if the lesson wants texture coordinates and the model has none.
     pub fn read_model(&self, wanted: Attributes) -> anyhow::Result<Model> {
         let path = self.model.as_deref().unwrap_or(Path::new(DEFAULT_MODEL));
         let model = Model::read(path, wanted)?;
+        ensure!(
+            !wanted.uvs || model.face_uvs().len() > 0,
+            "{}: not every face has texture coordinates; export the model with them, or draw it without a texture",
+            path.display()
+        );
         if let Some(skipped) = model.skipped() {
             let (count, of, first) = (skipped.count, skipped.of, &skipped.first);
             eprintln!("{}: left out {count} of {of} faces; the first, {first}", path.display());
         }
+        if wanted.normals && model.face_normals().len() == 0 {
+            eprintln!("{}: not every face has normals; they are computed", path.display());
+        }
         Ok(model)
+    }
+
+    /// Reads the texture asked for, or else the head's.
+    ///
+    /// # Errors
+    /// As [`Image::read`].
+    pub fn read_texture(&self) -> Result<Image, Error> {
+        Image::read(self.texture.as_deref().unwrap_or(Path::new(DEFAULT_TEXTURE)))
     }
 }
 
@@ -210,34 +285,32 @@ fn execute<F>(lesson: &Lesson<F>, flags: &Flags) -> anyhow::Result<()> {
     if flags.list {
         return print(&Method::list(lesson.methods));
     }
-    let draw = |name: &str| {
+    let draw_by = |flags: &Flags, name: &str| {
         let method =
             Method::find(lesson.methods, name).with_context(|| format!("there is no method `{name}`"))?;
         (lesson.draw)(flags, &method.run)
     };
+    if let (Some(_), Some(turntable)) = (flags.turntable, lesson.turntable) {
+        return turntable(flags, lesson.name, &|flags| draw_by(flags, &flags.method));
+    }
+    let draw = |name: &str| draw_by(flags, name);
     let [a, b] = flags.compare.as_slice() else {
-        return deliver(&draw(&flags.method)?, flags, lesson.name);
+        let drawing = draw(&flags.method)?;
+        if let (Some(path), Some(depth)) = (&flags.depth, drawing.depth) {
+            depth.write(path)?;
+        }
+        return deliver(&drawing.picture, flags, lesson.name);
     };
-    let (expected, got) = (draw(a)?, draw(b)?);
+    let (expected, got) = (draw(a)?.picture, draw(b)?.picture);
     let difference = Difference::between(&expected, &got);
     let sheet = side_by_side(&[&expected, &got, &difference.picture(&expected)]);
     deliver(&sheet, flags, &format!("{}-compare", lesson.name))?;
     print(&format!("{b} against {a}: {difference}\n"))
 }
 
-/// Writes the picture where `--out` says, or as TGA and PNG in `out/`; shows it in the terminal; and says
-/// where it is.
+/// Writes the picture, shows it in the terminal, and says where it is.
 fn deliver(image: &Image, flags: &Flags, name: &str) -> anyhow::Result<()> {
-    let paths = match &flags.out {
-        Some(path) => vec![path.clone()],
-        None => {
-            std::fs::create_dir_all("out").context("cannot create the folder out/")?;
-            ["tga", "png"].map(|ending| Path::new("out").join(name).with_extension(ending)).to_vec()
-        }
-    };
-    for path in &paths {
-        image.write(path)?;
-    }
+    let paths = write_pictures(image, flags.out.as_deref(), name, None)?;
     if let Some(text) = preview::for_terminal(image).filter(|_| !flags.quiet) {
         print(&text)?;
     }
@@ -245,8 +318,40 @@ fn deliver(image: &Image, flags: &Flags, name: &str) -> anyhow::Result<()> {
     print(&format!("{} ({}x{})\n", names.join(", "), image.width(), image.height()))
 }
 
+/// Writes the picture where `out` says, or else as TGA and PNG in the folder `out/`, under that name; the
+/// pictures of a series have a number behind it. Returns where.
+///
+/// # Errors
+/// Where a file cannot be written.
+pub fn write_pictures(
+    image: &Image,
+    out: Option<&Path>,
+    name: &str,
+    number: Option<u16>,
+) -> anyhow::Result<Vec<PathBuf>> {
+    let mut paths = match out {
+        Some(path) => vec![path.to_path_buf()],
+        None => {
+            std::fs::create_dir_all("out").context("cannot create the folder out/")?;
+            ["tga", "png"].map(|ending| Path::new("out").join(name).with_extension(ending)).to_vec()
+        }
+    };
+    for path in &mut paths {
+        if let Some(number) = number {
+            let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            path.set_file_name(format!("{stem}-{number:03}.{ending}"));
+        }
+        image.write(path)?;
+    }
+    Ok(paths)
+}
+
 /// Prints to standard output. A reader that has gone away wants no more: that is no error.
-fn print(text: &str) -> anyhow::Result<()> {
+///
+/// # Errors
+/// Where standard output cannot be written.
+pub fn print(text: &str) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -301,6 +406,17 @@ fn parse_direction(text: &str) -> Result<Vec3, String> {
     }
 }
 
+fn parse_point(text: &str) -> Result<Vec3, String> {
+    match parse_numbers::<f32>(text, 3)? {
+        (n, None) if n.iter().all(|number| number.is_finite()) => Ok(Vec3::new(n[0], n[1], n[2])),
+        _ => Err("write 3 finite numbers with commas between them".into()),
+    }
+}
+
+fn parse_distance(text: &str) -> Result<f32, String> {
+    text.parse().ok().filter(|&d| d > 0.0).ok_or_else(|| "write a number above 0, or inf".into())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -317,8 +433,9 @@ mod tests {
         draw: |flags, &color| {
             let mut image = flags.canvas(1, 1);
             image.set(0, 0, color);
-            Ok(image)
+            Ok(image.into())
         },
+        turntable: None,
     };
 
     fn parsed(arguments: &[&str]) -> Result<Flags, String> {

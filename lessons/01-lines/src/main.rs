@@ -24,7 +24,8 @@ fn main() -> ExitCode {
             for &LineFlag { ends: [a, b], color } in lines {
                 (method.draw)(a, b, &mut image, color);
             }
-            Ok(image)
+            Ok(image.into())
         },
+        turntable: None,
     })
 }

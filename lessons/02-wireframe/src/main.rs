@@ -16,7 +16,8 @@ fn main() -> ExitCode {
             let model = flags.read_model(Attributes::default())?;
             let mut image = flags.canvas(800, 800);
             method(&model, &mut image, Color::WHITE);
-            Ok(image)
+            Ok(image.into())
         },
+        turntable: None,
     })
 }

@@ -88,11 +88,12 @@ pub fn flat_intensity([a, b, c]: [Vec3; 3], light: Vec3) -> f32 {
 }
 // ANCHOR_END: flat_intensity
 
-/// A point of the model in pixels of the picture: x and y from −1 to 1 become 0 to width and height.
+/// A point of the model in pixels of a picture of that size: x and y from −1 to 1 become 0 to width and height.
 // ANCHOR: to_screen
 #[must_use]
-pub fn to_screen(point: Vec3, image: &Image) -> Vec2 {
-    (point.truncate() + 1.0) * Vec2::new(image.width() as f32, image.height() as f32) / 2.0
+pub fn to_screen(point: Vec3, size: Vec2) -> Vec2 {
+    let half = size / 2.0;
+    point.truncate() * half + half
 }
 // ANCHOR_END: to_screen
 
@@ -107,7 +108,7 @@ pub fn draw_model(
 ) {
     for (n, corners) in model.faces().enumerate() {
         if let Some(color) = color(n, corners) {
-            let screen = corners.map(|corner| to_screen(corner, image));
+            let screen = corners.map(|corner| to_screen(corner, image.size()));
             (method.draw)(screen, image, color);
         }
     }

@@ -37,7 +37,7 @@ fn main() -> ExitCode {
                 for &TriangleFlag { corners, color } in triangles {
                     (method.draw)(corners, &mut image, color);
                 }
-                return Ok(image);
+                return Ok(image.into());
             }
             let model = flags.read_model(Attributes::default())?;
             let mut image = flags.canvas(800, 800);
@@ -48,7 +48,8 @@ fn main() -> ExitCode {
                     (intensity >= 0.0).then(|| Color::gray(intensity))
                 }),
             }
-            Ok(image)
+            Ok(image.into())
         },
+        turntable: None,
     })
 }

@@ -1,0 +1,75 @@
+//! Lesson 8: looking at a point.
+//!
+//! **You will see** lesson 7's head from the right and from above. **New:** a change of basis, which brings the
+//! world in front of the eye instead of moving the eye.
+//!
+//! The job: given the eye, the point in the middle of the picture, and what is up, build the view matrix.
+//! [`METHODS`] holds the slides' listing, which is wrong but for a centre at the origin, and the right one.
+//!
+//! The eye's basis: z' points from the centre to the eye, x' is at right angles to up and z', y' to both. A
+//! point P has the coordinates (x'·(P − C), y'·(P − C), z'·(P − C)) in it: subtract the centre, then multiply
+//! by the matrix whose **rows** are the basis, which is the inverse of the one whose columns they are.
+//!
+//! Conventions: the view's origin is the **centre**, so the eye stands at (0, 0, D), with D the distance from
+//! eye to centre, and [`transforms::projection`] of D follows. Light and normals stay in world space.
+
+pub mod turntable;
+
+use common::{Mat3, Mat4, Method, Vec3};
+use transforms::translate;
+
+/// The view matrix of an eye that looks at a centre; `None` where they are one point.
+pub type View = fn(Vec3, Vec3, Vec3) -> Option<Mat4>;
+
+/// The ways to build a view matrix.
+pub const METHODS: &[Method<View>] = &[
+    Method {
+        name: "listing",
+        run: listing,
+        promise: "right for a centre at the origin (the slides' version, as printed)",
+        failure: "subtracts the centre after turning, unturned: any other centre misses the middle",
+    },
+    Method {
+        name: "lookat",
+        run: lookat,
+        promise: "right for any centre; any other up where up is along the view",
+        failure: "up within an angle θ of the view costs digits: the basis is off by about 1e-7/θ",
+    },
+];
+
+/// The right view matrix: R·(P − C).
+// ANCHOR: lookat
+#[must_use]
+pub fn lookat(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat4> {
+    let rows = basis(eye, center, up)?;
+    Some(Mat4::from_mat3(rows) * translate(-center))
+}
+// ANCHOR_END: lookat
+
+/// The slides' view matrix, as printed: R·P − C.
+// ANCHOR: listing
+#[must_use]
+pub fn listing(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat4> {
+    let rows = basis(eye, center, up)?;
+    Some(translate(-center) * Mat4::from_mat3(rows))
+}
+// ANCHOR_END: listing
+
+/// The matrix whose rows are the eye's basis. Where up is along the view to within 1e-6, or 0, the world axis
+/// farthest from the view stands in for it. `None` where eye and centre are one point.
+// ANCHOR: basis
+#[must_use]
+pub fn basis(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat3> {
+    let z = (eye - center).try_normalize()?;
+    let sideways = |up: Vec3| up.normalize_or_zero().cross(z);
+    let x = Some(sideways(up)).filter(|x| x.length() > 1e-6).unwrap_or_else(|| sideways(farthest_axis(z)));
+    let x = x.normalize();
+    Some(Mat3::from_cols(x, z.cross(x), z).transpose())
+}
+// ANCHOR_END: basis
+
+/// The axis that makes the largest angle with a direction: y before z before x where they are equal.
+fn farthest_axis(direction: Vec3) -> Vec3 {
+    let along = |axis: &Vec3| axis.dot(direction).abs();
+    [Vec3::Y, Vec3::Z, Vec3::X].into_iter().min_by(|a, b| along(a).total_cmp(&along(b))).unwrap_or(Vec3::Y)
+}

@@ -1,0 +1,135 @@
+//! What a shader is, and the one loop that draws with any.
+
+use common::{Color, Vec2, Vec3, Vec4, Vec4Swizzles};
+use triangles::fill;
+
+use crate::Target;
+
+/// The three steps in which a look is computed. What a shader does not use has the type `()` and costs nothing.
+pub trait Shader {
+    /// Computed once a triangle.
+    type Constant: Copy;
+    /// Computed at each corner and interpolated between them.
+    type Varying: Varying;
+
+    /// Before anything else of a triangle: what is the same all over it, or `None` to leave it out.
+    fn triangle(&self, face: usize) -> Option<Self::Constant>;
+
+    /// At a corner (0, 1 or 2): where it is in the picture (pixels and depth, not yet divided by w), and what
+    /// is interpolated.
+    fn vertex(&self, face: usize, corner: usize) -> (Vec4, Self::Varying);
+
+    /// At a pixel: its colour, or `None` to leave colour and depth as they are.
+    fn fragment(&self, constant: Self::Constant, varying: Self::Varying) -> Option<Color>;
+}
+
+/// What can be interpolated: a weighted mean of three.
+pub trait Varying: Copy + Default {
+    /// The mean of the three corners' values, each with its barycentric weight.
+    fn interpolate(corners: [Self; 3], weights: Vec3) -> Self;
+}
+
+impl Varying for () {
+    #[inline]
+    fn interpolate(_: [(); 3], _: Vec3) {}
+}
+
+impl Varying for f32 {
+    #[inline]
+    fn interpolate(corners: [f32; 3], weights: Vec3) -> f32 {
+        Vec3::from_array(corners).dot(weights)
+    }
+}
+
+impl Varying for Vec2 {
+    #[inline]
+    fn interpolate(corners: [Vec2; 3], weights: Vec3) -> Vec2 {
+        textures::interpolate(corners, weights)
+    }
+}
+
+impl<A: Varying, B: Varying> Varying for (A, B) {
+    #[inline]
+    fn interpolate(corners: [(A, B); 3], weights: Vec3) -> (A, B) {
+        (A::interpolate(corners.map(|c| c.0), weights), B::interpolate(corners.map(|c| c.1), weights))
+    }
+}
+
+/// A shader that keeps what it computed for the triangle at hand, as the slides' C++ shaders do. Shaders of
+/// all types then look the same from outside, and `dyn Program` is any of them.
+pub trait Program {
+    /// Takes up a triangle; `false` leaves it out.
+    fn triangle(&mut self, face: usize) -> bool;
+    /// Takes up one of its corners and says where it is in the picture, not yet divided by w.
+    fn vertex(&mut self, face: usize, corner: usize) -> Vec4;
+    /// The colour at a pixel with these barycentric weights, or `None` to leave it as it is.
+    fn fragment(&self, weights: Vec3) -> Option<Color>;
+}
+
+/// A [`Shader`] as a [`Program`].
+pub struct Stored<S: Shader> {
+    shader: S,
+    constant: Option<S::Constant>,
+    varyings: [S::Varying; 3],
+}
+
+impl<S: Shader> Stored<S> {
+    /// With no triangle yet.
+    pub fn new(shader: S) -> Self {
+        Self { shader, constant: None, varyings: Default::default() }
+    }
+}
+
+impl<S: Shader> Program for Stored<S> {
+    #[inline]
+    fn triangle(&mut self, face: usize) -> bool {
+        self.constant = self.shader.triangle(face);
+        self.constant.is_some()
+    }
+
+    #[inline]
+    fn vertex(&mut self, face: usize, corner: usize) -> Vec4 {
+        let (position, varying) = self.shader.vertex(face, corner);
+        self.varyings[corner] = varying;
+        position
+    }
+
+    #[inline]
+    fn fragment(&self, weights: Vec3) -> Option<Color> {
+        self.shader.fragment(self.constant?, S::Varying::interpolate(self.varyings, weights))
+    }
+}
+
+/// Draws the triangles 0 to `faces` − 1. Returns how many were left out since a corner is at the eye's height
+/// or behind it, where w ≤ 1e-6.
+// ANCHOR: render
+pub fn render<P: Program + ?Sized>(program: &mut P, faces: usize, target: &mut Target) -> usize {
+    let Target { image, depths } = target;
+    let mut left_out = 0;
+    for face in 0..faces {
+        // 1. The triangle's own step, which may reject it before anything is computed for its corners.
+        if !program.triangle(face) {
+            continue;
+        }
+        // 2. The corners, and the division by w.
+        let clip = [0, 1, 2].map(|corner| program.vertex(face, corner));
+        if !clip.iter().all(|corner| corner.w > 1e-6) {
+            left_out += 1;
+            continue;
+        }
+        let corners = clip.map(|corner| corner.xyz() / corner.w);
+        // 3. The pixels: depth test, colour, and only then the new depth.
+        let z = Vec3::from_array(corners.map(|corner| corner.z));
+        fill(corners.map(Vec3::truncate), depths.bounds(), |x, y, weights| {
+            let depth = weights.dot(z);
+            if depth > depths.get(x, y)
+                && let Some(color) = program.fragment(weights)
+            {
+                depths.set(x, y, depth);
+                image.set(x, y, color);
+            }
+        });
+    }
+    left_out
+}
+// ANCHOR_END: render
