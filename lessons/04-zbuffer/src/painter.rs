@@ -1,6 +1,6 @@
 //! The painter's algorithm: what is far first, what is near over it.
 
-use common::Image;
+use common::{Image, Vec3};
 use triangles::fill;
 
 use crate::Surface;
@@ -17,7 +17,7 @@ pub fn painter(surfaces: &[Surface], image: &mut Image) {
     order.reverse();
     order.sort_by(|a, b| mean_depth(a).total_cmp(&mean_depth(b)));
     for surface in order {
-        let corners = surface.corners.map(|corner| corner.truncate());
+        let corners = surface.corners.map(Vec3::truncate);
         fill(corners, image.bounds(), |x, y, _| image.set(x, y, surface.color));
     }
 }

@@ -159,8 +159,11 @@ pub const SHADERS: &[Method<Rendering>] = &[
     },
 ];
 
+/// The way in which a look is drawn by one method.
+pub type Choose = fn(&Rendering) -> Render;
+
 /// The ways to call a shader.
-pub const METHODS: &[Method<fn(&Rendering) -> Render>] = &[
+pub const METHODS: &[Method<Choose>] = &[
     Method {
         name: "dyn",
         run: |rendering| rendering.dynamic,
