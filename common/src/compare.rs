@@ -6,6 +6,7 @@ use std::fmt;
 
 use glam::IVec2;
 
+use crate::file::{SIDE_LIMIT, fits};
 use crate::{Color, Format, Image};
 
 // Okabe and Ito's colours, which colour-blind people can tell apart (*Color Universal Design*, 2008).
@@ -82,14 +83,25 @@ fn drawn(image: &Image, x: i32, y: i32) -> Option<Color> {
 
 /// Pictures side by side with a grey gap between them; small ones are enlarged by a whole factor, so that
 /// single pixels can be seen.
-#[must_use]
-pub fn side_by_side(pictures: &[&Image]) -> Image {
+///
+/// # Errors
+/// A line that says so where there is no picture, or the sheet is larger than [`fits`] allows.
+pub fn side_by_side(pictures: &[&Image]) -> Result<Image, String> {
     const READABLE: i32 = 600;
     const GAP: i32 = 6;
-    let height = pictures.iter().map(|picture| picture.height()).max().unwrap_or(0);
-    let factor = (READABLE / height.max(1)).max(1);
-    let width: i32 = pictures.iter().map(|picture| picture.width() * factor + GAP).sum::<i32>() - GAP;
-    let mut sheet = Image::new(width.clamp(0, 65_535) as u16, (height * factor) as u16, Format::Rgb);
+    let height =
+        pictures.iter().map(|picture| picture.height()).max().ok_or("there is no picture to show")?;
+    let width: i32 = pictures.iter().map(|picture| picture.width()).sum();
+    let gaps = GAP * (pictures.len() as i32 - 1);
+    let factor = (READABLE / height.max(1)).min((i32::from(SIDE_LIMIT) - gaps) / width.max(1)).max(1);
+    let (width, height) = (width * factor + gaps, height * factor);
+    let size = u16::try_from(width).ok().zip(u16::try_from(height).ok());
+    let (width, height) = size.filter(|&(width, height)| fits(width, height)).ok_or_else(|| {
+        format!(
+            "side by side the pictures are {width}x{height} pixels, more than can be read: draw smaller ones"
+        )
+    })?;
+    let mut sheet = Image::new(width, height, Format::Rgb);
     sheet.buffer_mut().fill(96);
     let mut left = 0;
     for picture in pictures {
@@ -97,7 +109,7 @@ pub fn side_by_side(pictures: &[&Image]) -> Image {
         panel.pixels().for_each(|(x, y, color)| sheet.set(left + x, y, color));
         left += panel.width() + GAP;
     }
-    sheet
+    Ok(sheet)
 }
 
 #[cfg(test)]
@@ -142,10 +154,32 @@ mod tests {
     #[test]
     fn panels_stand_in_order_and_small_ones_are_enlarged() {
         let [a, b] = [Color::RED, Color::GREEN].map(|color| picture(&[(0, 0, color)]));
-        let sheet = side_by_side(&[&a, &b]);
+        let sheet = side_by_side(&[&a, &b]).unwrap();
         assert_eq!((sheet.width(), sheet.height()), (4 * 200 * 2 + 6, 600));
         assert_eq!(sheet.get(199, 199), Some(Color::RED));
         assert_eq!(sheet.get(803, 300), Some(Color::rgb(96, 96, 96)));
         assert_eq!(sheet.get(806, 0), Some(Color::GREEN));
+    }
+
+    #[test]
+    fn a_sheet_is_enlarged_as_far_as_it_fits_or_refused() {
+        let sheet = |width, height| {
+            let picture = Image::new(width, height, Format::Gray);
+            side_by_side(&[&picture, &picture, &picture]).map(|sheet| (sheet.width(), sheet.height()))
+        };
+        assert_eq!(sheet(2000, 10), Ok((2 * 6000 + 12, 20)));
+        assert_eq!(sheet(5457, 1), Ok((16_383, 1)));
+        assert_eq!(sheet(1, 16_384), Ok((15, 16_384)));
+        assert_eq!(sheet(0, 0), Ok((12, 0)));
+        for (width, height, size) in [
+            (5458, 1, "16386x1"),
+            (16_384, 1, "49164x1"),
+            (65_535, 9, "196617x9"),
+            (5000, 5000, "15012x5000"),
+        ] {
+            let error = sheet(width, height).unwrap_err();
+            assert!(error.contains(size), "{error}");
+        }
+        assert!(side_by_side(&[]).is_err());
     }
 }

@@ -9,17 +9,27 @@
 use std::fs::{self, File};
 use std::io::{Cursor, Read, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use ::image::codecs::tga::TgaEncoder;
 use ::image::{ImageFormat, ImageReader, ImageResult, Limits};
 
 use crate::{Error, Image};
 
-/// The longest file that is read, in bytes.
+/// The longest picture file that is read, and the most memory that its pixels take, in bytes.
 const FILE_LIMIT: u64 = 256 << 20;
 
 /// The longest side of a picture that is read or asked for, in pixels.
 pub const SIDE_LIMIT: u16 = 16_384;
+
+/// The most pixels that are asked for: even with 4 bytes each, they can be read again.
+pub const PIXEL_LIMIT: u32 = (FILE_LIMIT / 4) as u32;
+
+/// Whether a picture of that size, in pixels, is within [`SIDE_LIMIT`] and [`PIXEL_LIMIT`].
+#[must_use]
+pub fn fits(width: u16, height: u16) -> bool {
+    width.max(height) <= SIDE_LIMIT && u32::from(width) * u32::from(height) <= PIXEL_LIMIT
+}
 
 /// How a picture is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +62,7 @@ impl Image {
     /// One that names the file where it has another ending, cannot be read, is too large, or is no picture.
     pub fn read(path: &Path) -> Result<Self, Error> {
         let encoding = Encoding::of(path)?;
-        Self::decode(&read_bytes(path)?, encoding)
+        Self::decode(&read_bytes(path, FILE_LIMIT)?, encoding)
             .map_err(|source| Error::Picture { path: path.into(), source })
     }
 
@@ -109,20 +119,21 @@ impl Image {
     }
 }
 
-/// The bytes of a file that is no longer than the limit; a pipe or a device is cut off there as well.
-pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
+/// The bytes of a file that has at most `limit` of them; a pipe or a device is cut off there as well.
+pub(crate) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     File::open(path)
-        .and_then(|file| file.take(FILE_LIMIT + 1).read_to_end(&mut bytes))
+        .and_then(|file| file.take(limit + 1).read_to_end(&mut bytes))
         .map_err(|source| Error::Read { path: path.into(), source })?;
-    if bytes.len() as u64 > FILE_LIMIT {
-        return Err(Error::TooLarge { path: path.into(), limit: FILE_LIMIT });
+    if bytes.len() as u64 > limit {
+        return Err(Error::TooLarge { path: path.into(), limit });
     }
     Ok(bytes)
 }
 
 /// Writes a file beside its place and then renames it, so that a reader finds the old one or the new one
-/// and never a part. What was begun is removed where anything fails.
+/// and never a part. What was begun is removed where anything fails. A symbolic link of that name is
+/// replaced; the file to which it led stays as it was.
 ///
 /// # Errors
 /// One that names the file where its folder does not exist or the system refuses.
@@ -131,10 +142,10 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     if !folder.is_dir() {
         return Err(Error::NoFolder { path: path.into() });
     }
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.part", std::process::id()));
-    let part = folder.join(name);
+    // Short whatever the file's own name, and another one in each process and each thread.
+    static BEGUN: AtomicU32 = AtomicU32::new(0);
+    let number = BEGUN.fetch_add(1, Ordering::Relaxed);
+    let part = folder.join(format!(".{}-{number}.part", std::process::id()));
     File::create(&part)
         .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
         .and_then(|()| fs::rename(&part, path))
@@ -222,17 +233,73 @@ mod tests {
         }
     }
 
+    /// The header of a TGA file of that kind (2 for colours, 3 for grey).
+    fn header(kind: u8, width: u16, height: u16, bits: u8) -> [u8; 18] {
+        let ([a, b], [c, d]) = (width.to_le_bytes(), height.to_le_bytes());
+        [0, 0, kind, 0, 0, 0, 0, 0, 0, 0, 0, 0, a, b, c, d, bits, 0]
+    }
+
     #[test]
     fn a_header_that_claims_too_much_is_refused() {
-        for (side, bits) in [(u16::MAX, 32), (SIDE_LIMIT, 32), (SIDE_LIMIT + 1, 8)] {
-            let [low, high] = side.to_le_bytes();
-            let header = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, low, high, low, high, bits, 0];
-            let error = Image::decode(&header, Encoding::TgaRle).unwrap_err();
-            assert!(
-                matches!(error, ::image::ImageError::Limits(_) | ::image::ImageError::Unsupported(_)),
-                "{error}"
-            );
+        for (kind, width, height, bits) in
+            [(2, u16::MAX, u16::MAX, 32), (2, SIDE_LIMIT, SIDE_LIMIT, 32), (3, SIDE_LIMIT + 1, 1, 8)]
+        {
+            let error = Image::decode(&header(kind, width, height, bits), Encoding::TgaRle).unwrap_err();
+            assert!(matches!(error, ::image::ImageError::Limits(_)), "{width}x{height}: {error}");
         }
+    }
+
+    #[test]
+    fn what_may_be_asked_for_can_be_read() {
+        for (width, height, may) in [
+            (SIDE_LIMIT, 4096, true),
+            (8192, 8192, true),
+            (1, SIDE_LIMIT, true),
+            (8192, 8193, false),
+            (SIDE_LIMIT + 1, 1, false),
+        ] {
+            assert_eq!(fits(width, height), may, "{width}x{height}");
+            if may {
+                // Nothing but the pixels is missing.
+                let error = Image::decode(&header(2, width, height, 32), Encoding::TgaRle).unwrap_err();
+                assert!(matches!(error, ::image::ImageError::IoError(_)), "{width}x{height}: {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn any_name_that_a_file_can_have_can_be_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x".repeat(251) + ".png");
+        sample(Format::Rgb).write(&path).unwrap();
+        assert_eq!(Image::read(&path).unwrap(), sample(Format::Rgb));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn threads_that_write_one_file_leave_one_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        std::thread::scope(|scope| {
+            for n in 0..8 {
+                let path = &path;
+                scope.spawn(move || (0..20).for_each(|_| write_whole(path, &[n; 10_000]).unwrap()));
+            }
+        });
+        let bytes = fs::read(&path).unwrap();
+        assert_eq!(bytes, [bytes[0]; 10_000]);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_replaced_and_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, link] = ["file", "link"].map(|name| folder.path().join(name));
+        fs::write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_whole(&link, b"new").unwrap();
+        assert_eq!([file, link].map(|path| fs::read(path).unwrap()), [b"old", b"new"]);
     }
 
     #[test]

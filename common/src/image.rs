@@ -41,8 +41,9 @@ impl Bounds {
 
 /// A picture of up to 65535×65535 pixels, black at first.
 ///
-/// No call panics: outside the picture [`set`](Self::set) does nothing and [`get`](Self::get) finds
-/// nothing. A side may be 0, which gives a picture without pixels.
+/// Outside the picture [`set`](Self::set) does nothing and [`get`](Self::get) finds nothing. A side may be 0,
+/// which gives a picture without pixels. The one thing that can fail is memory: the largest picture takes
+/// 17 GB, and a program that has less ends there. [`file::fits`](crate::file::fits) says what is reasonable.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Image {
     width: u16,
@@ -55,7 +56,10 @@ pub struct Image {
 impl Image {
     /// A picture all of whose bytes are 0: black and, with an alpha channel, transparent.
     ///
-    /// Sides have 16 bits since TGA's header gives them as many; hence no size can overflow.
+    /// Sides have 16 bits since TGA's header gives them as many.
+    ///
+    /// # Panics
+    /// Where the picture's bytes cannot be counted in a `usize`: never with 64 bits, beyond 4 GB with 32.
     #[must_use]
     pub fn new(width: u16, height: u16, format: Format) -> Self {
         let bytes = vec![0; usize::from(width) * usize::from(height) * format as usize];

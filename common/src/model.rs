@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{Error, file, obj};
 
-/// What a lesson asks for beyond positions. What it does not ask for is neither read nor kept.
+/// What a lesson asks for beyond positions. What it does not ask for is not looked at, and not in the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Attributes {
     /// A normal for each corner.
@@ -42,7 +42,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// Reads an OBJ file: positions, and what `wanted` asks for. Polygons become fans of triangles.
+    /// Reads an OBJ file of up to 32 MiB: positions, and what `wanted` asks for. Polygons become fans of
+    /// triangles.
     ///
     /// A face is left out and counted in [`skipped`](Self::skipped) if it has fewer than three corners, or
     /// a corner that does not exist or is not finite. Normals or texture coordinates that any good face
@@ -51,7 +52,7 @@ impl Model {
     /// # Errors
     /// One that names the file where it cannot be read or no face is good.
     pub fn read(path: &Path, wanted: Attributes) -> Result<Self, Error> {
-        obj::parse(&file::read_bytes(path)?, wanted)
+        obj::parse(&file::read_bytes(path, obj::FILE_LIMIT)?, wanted)
             .map_err(|reason| Error::Model { path: path.into(), reason })
     }
 
@@ -75,7 +76,7 @@ impl Model {
         }
     }
 
-    /// The positions, each once.
+    /// The positions that triangles use, each line of the file once, in the order of their first use.
     #[must_use]
     pub fn positions(&self) -> &[Vec3] {
         &self.positions

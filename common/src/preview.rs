@@ -32,18 +32,35 @@ pub fn half_blocks(image: &Image, columns: u16, rows: u16) -> String {
     text
 }
 
-/// The picture for this terminal; `None` where standard output is no terminal, or one without colours.
+/// The picture for this terminal; `None` where standard output is no terminal, or one that may not show it.
 #[must_use]
 pub fn for_terminal(image: &Image) -> Option<String> {
-    let plain =
-        std::env::var_os("NO_COLOR").is_some() || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-    if plain || !std::io::stdout().is_terminal() {
+    if !std::io::stdout().is_terminal() || !shows_colors(|name| std::env::var(name).unwrap_or_default()) {
         return None;
     }
     let (columns, rows) =
         terminal_size::terminal_size().map_or((80, 24), |(columns, rows)| (columns.0, rows.0));
     // Two lines stay free, for the command and for the line that names the files.
     Some(half_blocks(image, columns.max(1), rows.saturating_sub(2).max(1)))
+}
+
+/// Whether a terminal shows 24-bit colours, and its user wants colours, by the variables of its environment
+/// (one that is not set is empty).
+///
+/// Terminals that can say so in `COLORTERM` (<https://github.com/termstandard/colors>). Some have names that
+/// are enough, Windows Terminal has a variable of its own, and in terminfo `-direct` stands for these colours.
+/// `NO_COLOR` counts where it is not empty (<https://no-color.org>).
+fn shows_colors(variable: impl Fn(&str) -> String) -> bool {
+    const TERMS: [&str; 6] = ["alacritty", "contour", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"];
+    const PROGRAMS: [&str; 4] = ["WezTerm", "ghostty", "iTerm.app", "vscode"];
+    let term = variable("TERM");
+    let wanted = variable("NO_COLOR").is_empty() && term != "dumb";
+    let able = ["truecolor", "24bit"].contains(&variable("COLORTERM").as_str())
+        || !variable("WT_SESSION").is_empty()
+        || term.ends_with("-direct")
+        || TERMS.contains(&term.as_str())
+        || PROGRAMS.contains(&variable("TERM_PROGRAM").as_str());
+    wanted && able
 }
 
 #[cfg(test)]
@@ -67,6 +84,32 @@ mod tests {
             let text = half_blocks(&Image::new(width, height, Format::Rgb), 40, 12);
             assert!(text.lines().count() <= 12);
             assert!(text.lines().all(|line| line.matches('▀').count() <= 40));
+        }
+    }
+
+    #[test]
+    fn it_is_shown_only_where_it_can_be() {
+        for (variables, shown) in [
+            (&[][..], false),
+            (&[("TERM", "xterm-256color")], false),
+            (&[("TERM", "linux")], false),
+            (&[("TERM", "xterm-256color"), ("TERM_PROGRAM", "Apple_Terminal")], false),
+            (&[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")], true),
+            (&[("TERM", "tmux-256color"), ("COLORTERM", "24bit")], true),
+            (&[("COLORTERM", "yes")], false),
+            (&[("WT_SESSION", "0e6f")], true),
+            (&[("TERM", "xterm-kitty")], true),
+            (&[("TERM", "xterm-direct")], true),
+            (&[("TERM", "xterm-256color"), ("TERM_PROGRAM", "iTerm.app")], true),
+            (&[("COLORTERM", "truecolor"), ("TERM", "dumb")], false),
+            (&[("COLORTERM", "truecolor"), ("NO_COLOR", "1")], false),
+            (&[("COLORTERM", "truecolor"), ("NO_COLOR", "")], true),
+        ] {
+            let variable = |name: &str| {
+                let found = variables.iter().find(|variable| variable.0 == name);
+                found.map_or(String::new(), |variable| variable.1.into())
+            };
+            assert_eq!(shows_colors(variable), shown, "{variables:?}");
         }
     }
 }

@@ -3,9 +3,11 @@
 //! A lesson's `main.rs` fills in a [`Lesson`] and calls [`run`]. Every flag of the course is defined once,
 //! in [`Flags`]; a lesson names those that are its own, and the others are unknown to it.
 
+use std::cell::OnceCell;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::rc::Rc;
 
 use anyhow::{Context, ensure};
 use clap::{ArgAction, CommandFactory, FromArgMatches, builder::PossibleValuesParser};
@@ -93,7 +95,7 @@ pub struct Flags {
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 
-    /// Width and height of the picture in pixels, up to 16384 each
+    /// Width and height of the picture in pixels, up to 16384 each and 8192x8192 in all
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<(u16, u16)>,
 
@@ -168,6 +170,10 @@ pub struct Flags {
     /// Draw this many pictures on a circle around the model, NAME-000 and so on
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=999))]
     pub turntable: Option<u16>,
+
+    /// The model once it was read: methods that are compared and the pictures of a turntable share it.
+    #[arg(skip)]
+    pub loaded: Rc<OnceCell<(Attributes, Rc<Model>)>>,
 }
 
 impl Flags {
@@ -179,11 +185,17 @@ impl Flags {
     }
 
     /// Reads the model asked for, or else the course's own, and tells on standard error what was left out,
-    /// or that it has no normals where the lesson wants some.
+    /// or that it has no normals where the lesson wants some. Asked for again, it is neither read nor told
+    /// again.
     ///
     /// # Errors
     /// As [`Model::read`]; and if the lesson wants texture coordinates and the model has none.
-    pub fn read_model(&self, wanted: Attributes) -> anyhow::Result<Model> {
+    pub fn read_model(&self, wanted: Attributes) -> anyhow::Result<Rc<Model>> {
+        if let Some((had, model)) = self.loaded.get()
+            && *had == wanted
+        {
+            return Ok(Rc::clone(model));
+        }
         let path = self.model.as_deref().unwrap_or(Path::new(DEFAULT_MODEL));
         let model = Model::read(path, wanted)?;
         ensure!(
@@ -193,11 +205,14 @@ impl Flags {
         );
         if let Some(skipped) = model.skipped() {
             let (count, of, first) = (skipped.count, skipped.of, &skipped.first);
-            eprintln!("{}: left out {count} of {of} faces; the first, {first}", path.display());
+            tell(format_args!("{}: left out {count} of {of} faces; the first, {first}", path.display()));
         }
         if wanted.normals && model.face_normals().len() == 0 {
-            eprintln!("{}: not every face has normals; they are computed", path.display());
+            tell(format_args!("{}: not every face has normals; they are computed", path.display()));
         }
+        let model = Rc::new(model);
+        // A lesson that asks for other attributes the second time reads again; none does.
+        let _ = self.loaded.set((wanted, Rc::clone(&model)));
         Ok(model)
     }
 
@@ -217,7 +232,7 @@ pub fn run<F>(lesson: &Lesson<F>) -> ExitCode {
     let flags = match parse(lesson, std::env::args_os()) {
         Ok(flags) => flags,
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", one_line(&error));
+            tell(one_line(&error));
             return ExitCode::from(2);
         }
         Err(help) => return finish(print(&help.render().to_string())),
@@ -229,7 +244,7 @@ fn finish(result: anyhow::Result<()>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            tell(format_args!("error: {error:#}"));
             ExitCode::FAILURE
         }
     }
@@ -303,7 +318,8 @@ fn execute<F>(lesson: &Lesson<F>, flags: &Flags) -> anyhow::Result<()> {
     };
     let (expected, got) = (draw(a)?.picture, draw(b)?.picture);
     let difference = Difference::between(&expected, &got);
-    let sheet = side_by_side(&[&expected, &got, &difference.picture(&expected)]);
+    let sheet =
+        side_by_side(&[&expected, &got, &difference.picture(&expected)]).map_err(anyhow::Error::msg)?;
     deliver(&sheet, flags, &format!("{}-compare", lesson.name))?;
     print(&format!("{b} against {a}: {difference}\n"))
 }
@@ -347,6 +363,11 @@ pub fn write_pictures(
     Ok(paths)
 }
 
+/// Says a line on standard error. Where that fails there is nobody left to tell, so it is no error.
+pub fn tell(line: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
 /// Prints to standard output. A reader that has gone away wants no more: that is no error.
 ///
 /// # Errors
@@ -362,10 +383,19 @@ pub fn print(text: &str) -> anyhow::Result<()> {
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), String> {
-    let side = |text: &str| text.parse().ok().filter(|side| (1..=file::SIDE_LIMIT).contains(side));
-    text.split_once('x')
-        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
-        .ok_or_else(|| format!("write two numbers from 1 to {}, as in 800x600", file::SIDE_LIMIT))
+    let size = text
+        .split_once('x')
+        .and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)))
+        .filter(|&(width, height): &(u16, u16)| {
+            width.min(height) > 0 && width.max(height) <= file::SIDE_LIMIT
+        });
+    match size {
+        None => Err(format!("write two numbers from 1 to {}, as in 800x600", file::SIDE_LIMIT)),
+        Some((width, height)) if !file::fits(width, height) => {
+            Err(format!("a picture may have {} pixels in all, as 8192x8192 has", file::PIXEL_LIMIT))
+        }
+        Some(size) => Ok(size),
+    }
 }
 
 /// `count` numbers with commas between them and, behind a further comma, perhaps a colour.
@@ -473,6 +503,7 @@ mod tests {
             (&["--size", "0x5"][..], "write two numbers from 1 to 16384"),
             (&["--size", "20000x5"], "write two numbers from 1 to 16384"),
             (&["--size", "5"], "write two numbers from 1 to 16384"),
+            (&["--size", "8192x8193"], "a picture may have 67108864 pixels in all"),
             (
                 &["--method", "blue"],
                 "invalid value 'blue' for '--method <NAME>'; [possible values: red, green]",

@@ -1,5 +1,6 @@
 use std::fs;
 
+use common::program::DEFAULT_MODEL;
 use common::{Attributes, Model};
 use proptest::prelude::*;
 use tempfile::tempdir;
@@ -7,7 +8,6 @@ use verify::run;
 
 use crate::{assert_fails, names};
 
-const SPHERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
 const CRATE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/crate.png");
 
 #[test]
@@ -52,6 +52,38 @@ fn bad_faces_are_left_out_and_told() {
     assert_eq!(names(&folder.path().join("out")), ["02-wireframe.png", "02-wireframe.tga"]);
 }
 
+/// Both methods draw the one model that was read: from a pipe, there is no second time.
+#[cfg(unix)]
+#[test]
+fn a_comparison_reads_its_model_once() {
+    let folder = tempdir().unwrap();
+    let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 2\n";
+    fs::write(folder.path().join("some.obj"), text).unwrap();
+    let script =
+        "cat some.obj | \"$0\" --model /dev/stdin --compare three-per-triangle,unique-edges --out a.png";
+    let output = std::process::Command::new("sh")
+        .args(["-c", script])
+        .arg(verify::program("wireframe", folder.path()).get_program())
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let expected =
+        "/dev/stdin: left out 1 of 2 faces; the first, line 5: a face needs 3 corners, this has 2\n";
+    assert_eq!(String::from_utf8_lossy(&output.stderr), expected);
+    assert!(String::from_utf8_lossy(&output.stdout).contains("against three-per-triangle: 0 pixels missing"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_endless_model_is_refused() {
+    let folder = tempdir().unwrap();
+    assert_fails(
+        &run("wireframe", folder.path(), &["--model", "/dev/zero"]),
+        1,
+        &["/dev/zero: larger than the 32 MiB that are read"],
+    );
+}
+
 proptest! {
     /// However a file is cut off or altered, reading it gives a model or a line of text.
     #[test]
@@ -80,20 +112,72 @@ proptest! {
         }
     }
 
+    /// Bytes that an OBJ file is made of, in any order, and now and then others.
     #[test]
-    fn no_bytes_panic(bytes in any::<Vec<u8>>()) {
-        let _ = Model::parse(&bytes, Attributes::default());
+    fn no_bytes_panic(words in prop::collection::vec(word(), 0..80)) {
+        let bytes = words.concat();
+        for (normals, uvs) in [(false, false), (false, true), (true, true)] {
+            if let Err(reason) = Model::parse(&bytes, Attributes { normals, uvs }) {
+                prop_assert!(!reason.contains(char::is_control), "{:?}", reason);
+            }
+        }
+    }
+}
+
+/// A piece of an OBJ file.
+fn word() -> impl Strategy<Value = Vec<u8>> {
+    const LINES: [&str; 9] = [
+        "\nv 0 0 0\n",
+        "\nv 1 0 -1e1\n",
+        "\nvt 0 1\n",
+        "\nvn 0 0 1\n",
+        "\nf 1 2 1\n",
+        "\nf -1/1/1 1/-1/1 1/1/-1\n",
+        "\nf 1//1 1//1 1//1 1//1 1//1\n",
+        "\nf ",
+        "\nv ",
+    ];
+    const WORDS: [&str; 20] = [
+        "\n", "\r\n", "\\\n", " ", "\t", "#", "v", "vt", "vn", "f", "l", "o", "g", "/", "//", "-", "0", "1",
+        "2", "nan",
+    ];
+    let text = |text: &'static [&str]| prop::sample::select(text).prop_map(|text| text.as_bytes().to_vec());
+    prop_oneof![4 => text(&LINES), 4 => text(&WORDS), 1 => any::<i64>().prop_map(|n| n.to_string().into_bytes()),
+        1 => any::<u8>().prop_map(|byte| vec![byte])]
+}
+
+/// The worst of files say the most in the fewest bytes: faces of small indices, just more than a power of two,
+/// at which vectors grow.
+#[test]
+fn reading_takes_bounded_memory() {
+    let header = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
+    let all = Attributes { normals: true, uvs: true };
+    for (line, wanted, times) in [
+        ("f 1 2 3\n", Attributes::default(), 45),
+        ("f 1/1/1 2/1/1 3/1/1\n", Attributes::default(), 18),
+        ("f 1/1/1 2/1/1 3/1/1\n", all, 19),
+        ("f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3\n", Attributes::default(), 45),
+        ("v 0 0 0\n", all, 6),
+        ("vn 0 0 1\n", Attributes::default(), 1),
+        ("f 1 2\n", all, 1),
+    ] {
+        let text = [header, &line.repeat(33_000), "f 1/1/1 2/1/1 3/1/1\n"].concat();
+        let counted = allocation_counter::measure(|| drop(Model::parse(text.as_bytes(), wanted)));
+        let taken = counted.bytes_max as f64 / text.len() as f64;
+        assert!(taken <= f64::from(times), "{line:?}: {taken:.1} times the file's length");
     }
 }
 
 #[test]
 fn the_default_model_needs_no_flag() {
     let folder = tempdir().unwrap();
-    for arguments in
-        [&["--out", "a.png"][..], &["--out", "b.png", "--model"], &["--out", "c.png", "--model", SPHERE]]
-    {
+    for arguments in [
+        &["--out", "a.png"][..],
+        &["--out", "b.png", "--model"],
+        &["--out", "c.png", "--model", DEFAULT_MODEL],
+    ] {
         assert!(run("wireframe", folder.path(), arguments).status.success());
     }
     let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
-    assert!(read("a.png") == read("b.png"));
+    assert!(read("a.png") == read("b.png") && read("a.png") == read("c.png"));
 }

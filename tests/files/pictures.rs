@@ -2,7 +2,7 @@ use std::fs;
 use std::path::Path;
 
 use common::file::Encoding;
-use common::{Color, Format, Image};
+use common::{Color, Error, Format, Image};
 use proptest::prelude::*;
 use tempfile::tempdir;
 use verify::run;
@@ -98,6 +98,63 @@ fn a_full_standard_output_is_told() {
     }
 }
 
+/// Where nothing can be said there is nobody to tell; the exit code is what it would be.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_error_changes_nothing() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("some.obj"), "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 2\n").unwrap();
+    let full = || fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    for (arguments, code) in [
+        (&["--model", "some.obj", "--out", "a.png"][..], 0),
+        (&["--model", "none.obj"], 1),
+        (&["--nonsense"], 2),
+    ] {
+        let status = verify::program("wireframe", folder.path()).args(arguments).stderr(full()).output();
+        assert_eq!(status.unwrap().status.code(), Some(code), "{arguments:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let folder = tempdir().unwrap();
+    for arguments in [&["--list"][..], &["--help"], &["--out", "a.png"]] {
+        let mut command = verify::program("lines", folder.path());
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = command.args(arguments).stdout(writer).output().unwrap();
+        assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]), "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_first_program_draws_one_red_pixel() {
+    let folder = tempdir().unwrap();
+    assert!(run("pixel", folder.path(), &[]).status.success());
+    let image = Image::read(&folder.path().join("out/pixel.png")).unwrap();
+    assert_eq!((image.width(), image.height()), (100, 100));
+    for (x, y, color) in image.pixels() {
+        assert_eq!(color, if (x, y) == (52, 41) { Color::RED } else { Color::BLACK }, "({x}, {y})");
+    }
+}
+
+#[test]
+fn a_comparison_of_pictures_too_wide_for_one_is_an_error() {
+    let folder = tempdir().unwrap();
+    let compare =
+        |size| run("lines", folder.path(), &["--compare", "wu,slope", "--out", "a.png", "--size", size]);
+    assert_fails(
+        &compare("16384x1"),
+        1,
+        &["side by side the pictures are 49164x1 pixels", "draw smaller ones"],
+    );
+    assert_eq!(names(folder.path()), [""; 0]);
+    assert!(compare("2000x10").status.success());
+    let sheet = Image::read(&folder.path().join("a.png")).unwrap();
+    assert_eq!((sheet.width(), sheet.height()), (12_012, 20));
+}
+
 #[test]
 fn a_truncated_or_altered_picture_is_an_error_that_names_it() {
     let folder = tempdir().unwrap();
@@ -116,7 +173,11 @@ fn a_truncated_or_altered_picture_is_an_error_that_names_it() {
     ] {
         let path = folder.path().join(name);
         fs::write(&path, bytes).unwrap();
-        let error = Image::read(&path).unwrap_err().to_string();
+        let error = Image::read(&path).unwrap_err();
+        let limits =
+            matches!(&error, Error::Picture { source, .. } if format!("{source:?}").starts_with("Limits"));
+        assert_eq!(limits, name == "huge.tga", "{error:?}");
+        let error = error.to_string();
         assert!(error.contains(name) && error.contains("not a picture that can be read"), "{error}");
     }
     let missing = Image::read(Path::new("none/none.png")).unwrap_err().to_string();

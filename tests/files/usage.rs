@@ -12,6 +12,7 @@ fn a_wrong_command_line_is_one_line_and_exit_code_2() {
         for (arguments, said) in [
             (&["--size", "0x0"][..], "--size <WxH>"),
             (&["--size", "99999x1"], "1 to 16384"),
+            (&["--size", "16384x16384"], "67108864 pixels in all"),
             (&["--method", "none"], "possible values"),
             (&["--compare", "none"], "--compare <A,B>"),
             (&["--depth", "a.png"], "--depth"),

@@ -29,6 +29,27 @@ fn far_corner() -> impl Strategy<Value = Vec2> {
     (coordinate(), coordinate()).prop_map(Vec2::from)
 }
 
+/// A coordinate to lie about: in the window, where `edges` changes integers, at the ends of i32, beyond.
+fn base() -> impl Strategy<Value = f32> {
+    let far = [1 << 20, 1 << 24, 1 << 31, 1_u64 << 40].map(|n| n as f32);
+    prop_oneof![
+        Just(12.0),
+        (prop::sample::select(far.to_vec()), any::<bool>()).prop_map(|(base, negative)| if negative {
+            -base
+        } else {
+            base
+        })
+    ]
+}
+
+/// Any bounds, many of them empty, many as large as can be.
+fn any_bounds() -> impl Strategy<Value = Bounds> {
+    let coordinate = || prop_oneof![any::<i32>(), -8..32, Just(i32::MIN), Just(i32::MAX)];
+    let any = [coordinate(), coordinate(), coordinate(), coordinate()]
+        .prop_map(|[x0, y0, x1, y1]| Bounds { min: IVec2::new(x0, y0), max: IVec2::new(x1, y1) });
+    prop_oneof![any, Just(Bounds::EVERYTHING)]
+}
+
 fn pixels(corners: [Vec2; 3], bounds: Bounds) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
     fill(corners, bounds, |x, y, _| pixels.push((x, y)));
@@ -140,15 +161,51 @@ proptest! {
     }
 
     #[test]
-    fn a_triangle_turned_by_half_a_turn_covers_as_many_inner_pixels(corners in [corner(), corner(), corner()]) {
-        // Centres on a side change hands when the picture is turned, so there may be none.
-        let exact = Triangle::new(corners);
-        let on_side = |x, y| exact.weights(x, y).contains(&0.0);
-        prop_assume!(!(0..24).any(|y| (0..24).any(|x| on_side(x, y))));
+    fn a_triangle_turned_by_half_a_turn_covers_the_same_inner_pixels(corners in [corner(), corner(), corner()]) {
+        // In 1/256 px, so that turning rounds nothing.
+        let corners = corners.map(|corner| (corner * 256.0).round() / 256.0);
         let turned = corners.map(|corner| Vec2::splat(24.0) - corner);
-        let mut expected: Vec<_> = pixels(corners, window(24, 24)).iter().map(|&(x, y)| (23 - x, 23 - y)).collect();
-        expected.reverse();
-        prop_assert_eq!(pixels(turned, window(24, 24)), expected);
+        // Centres on a side change hands when the picture is turned.
+        let exact = Triangle::new(corners);
+        let inner = |&(x, y): &(i32, i32)| !exact.weights(x, y).contains(&0.0);
+        let expected: Vec<_> = pixels(corners, window(24, 24)).into_iter().filter(inner).collect();
+        let mut got: Vec<_> = pixels(turned, window(24, 24)).iter().map(|&(x, y)| (23 - x, 23 - y)).collect();
+        got.reverse();
+        got.retain(inner);
+        prop_assert_eq!(got, expected);
+    }
+
+    #[test]
+    fn any_bounds_cut_a_triangle_exactly(
+        base in [base(), base()], offsets in prop::array::uniform6(-1.0f32..1.0), bounds in any_bounds(),
+    ) {
+        // 20 px about the base, or one or two steps of f32 where they are longer.
+        let at = |n: usize, offset: f32| {
+            let step = base[n].abs().next_up() - base[n].abs();
+            base[n] + offset * (1.5 * step).max(20.0)
+        };
+        let corners = [0, 2, 4].map(|i| Vec2::new(at(0, offsets[i]), at(1, offsets[i + 1])));
+        let low = corners[0].min(corners[1]).min(corners[2]).as_ivec2();
+        let high = corners[0].max(corners[1]).max(corners[2]).as_ivec2();
+        let near = Bounds {
+            min: low.saturating_sub(IVec2::splat(2)).max(bounds.min),
+            max: high.saturating_add(IVec2::splat(2)).min(bounds.max),
+        };
+        prop_assert_eq!(pixels(corners, bounds), Triangle::new(corners).pixels(near));
+    }
+
+    #[test]
+    fn empty_bounds_hold_nothing(corners in [far_corner(), far_corner(), far_corner()], bounds in any_bounds()) {
+        let (low, high) = (bounds.min.min(bounds.max), bounds.min.max(bounds.max));
+        // One side the wrong way round is enough.
+        for (min, max) in [
+            (IVec2::new(high.x, low.y), IVec2::new(low.x, high.y)),
+            (IVec2::new(low.x, high.y), IVec2::new(high.x, low.y)),
+        ] {
+            if min.cmpgt(max).any() {
+                prop_assert_eq!(pixels(corners, Bounds { min, max }), []);
+            }
+        }
     }
 
     #[test]

@@ -10,7 +10,7 @@ fn every_method_draws_a_tetrahedron() {
     let model = Model::parse(TETRAHEDRON, Attributes::default()).unwrap();
     for method in wireframe::METHODS {
         let mut image = Image::new(33, 33, Format::Gray);
-        (method.run)(&model, &mut image, Color::WHITE);
+        (method.run.draw)(&model, &mut image, Color::WHITE);
         assert_text(&format!("02-wireframe-tetrahedron-{}", method.name), &image);
     }
 }

@@ -8,6 +8,7 @@
 //! ```
 
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
@@ -15,17 +16,21 @@ use std::sync::LazyLock;
 use checks::picture::{Fault, faults};
 use common::file::Encoding;
 use common::{Bounds, IVec2, Image};
+use escargot::CargoBuild;
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot, assert_binary_snapshot, assert_snapshot};
 
-/// The lessons' programs, built once a process.
+/// The lessons' programs and the first of all, built once a process, in the profile of these tests: what they
+/// need is built already, and overflow is noticed.
 static PROGRAMS: LazyLock<BTreeMap<&str, PathBuf>> = LazyLock::new(|| {
-    let build = |lesson| {
-        let build = escargot::CargoBuild::new().package(lesson).bin(lesson).manifest_path("../Cargo.toml");
-        let built = build.current_release().run().unwrap_or_else(|error| panic!("{lesson}: {error}"));
-        (lesson, built.path().to_path_buf())
+    let build = |name, build: CargoBuild| {
+        let built = build.manifest_path("../Cargo.toml").run();
+        (name, built.unwrap_or_else(|error| panic!("{name}: {error}")).path().to_path_buf())
     };
-    ["lines", "wireframe", "triangles"].map(build).into()
+    let lesson = |name| build(name, CargoBuild::new().package(name).bin(name));
+    let mut programs = BTreeMap::from(["lines", "wireframe", "triangles"].map(lesson));
+    programs.extend([build("pixel", CargoBuild::new().package("common").example("pixel"))]);
+    programs
 });
 
 /// A lesson's program, about to run in a folder.
@@ -94,22 +99,24 @@ impl Comparator for Pixels {
 /// Compares a picture with the snapshot of that name; each channel may differ by `tolerance`.
 ///
 /// # Panics
-/// Where it differs by more, or there is no such snapshot. What was drawn is then in the folder of
-/// temporary files, in `pixel-by-pixel/NAME.png`.
+/// Where it differs by more, or there is no such snapshot. What was drawn is then in `target/drawn/NAME.png`.
 pub fn assert_picture(name: &str, image: &Image, tolerance: u8) {
     // A name may not hold a dot, since that begins the ending.
     let name = name.replace('.', "_");
-    let drawn = std::env::temp_dir().join("pixel-by-pixel").join(format!("{name}.png"));
-    std::fs::create_dir_all(drawn.parent().expect("it was joined")).expect("a temporary folder can be made");
-    image.write(&drawn).expect("a temporary file can be written");
-    println!("what was drawn: {}", drawn.display());
+    let bytes = image.encode(Encoding::Png).expect("the picture has pixels");
     let mut settings = settings();
     settings.set_comparator(Box::new(Pixels { tolerance }));
-    settings.bind(|| {
-        let bytes = image.encode(Encoding::Png).expect("the picture has pixels");
-        assert_binary_snapshot!(&format!("{name}.png"), bytes);
-    });
-    std::fs::remove_file(&drawn).expect("it was just written");
+    let compare = || settings.bind(|| assert_binary_snapshot!(&format!("{name}.png"), bytes));
+    if let Err(difference) = catch_unwind(AssertUnwindSafe(compare)) {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/drawn");
+        let drawn = folder.join(format!("{name}.png"));
+        let written = std::fs::create_dir_all(&folder).is_ok() && image.write(&drawn).is_ok();
+        println!(
+            "what was drawn: {}",
+            if written { drawn.display().to_string() } else { "not saved".into() }
+        );
+        resume_unwind(difference);
+    }
 }
 
 /// Compares a small picture with a text snapshot, a character a pixel, so that a review can read it: `.` is

@@ -47,7 +47,7 @@ pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {
 // ANCHOR_END: line
 
 /// Makes a [`Line`] of a generic method.
-macro_rules! both {
+macro_rules! drawn_and_visited {
     ($method:expr) => {
         Line {
             draw: |a, b, image, color| {
@@ -62,61 +62,61 @@ macro_rules! both {
 pub const METHODS: &[Method<Line>] = &[
     Method {
         name: "step-0.1",
-        run: both!(slides::step_tenth),
+        run: drawn_and_visited!(slides::step_tenth),
         promise: "about ten pixels, spread evenly",
         failure: "gaps beyond 10 px; repeats pixels below; may miss the far end",
     },
     Method {
         name: "step-0.01",
-        run: both!(slides::step_hundredth),
+        run: drawn_and_visited!(slides::step_hundredth),
         promise: "about a hundred pixels, spread evenly",
         failure: "gaps beyond 100 px; wasteful below; may miss the far end",
     },
     Method {
         name: "per-column",
-        run: both!(slides::per_column),
+        run: drawn_and_visited!(slides::per_column),
         promise: "one pixel in every column",
         failure: "gaps if steep; nothing if leftward; a wrong pixel if both ends are one; rounds down",
     },
     Method {
         name: "transposed",
-        run: both!(slides::transposed),
+        run: drawn_and_visited!(slides::transposed),
         promise: "no gaps in any direction, less than 1 px off",
         failure: "a wrong pixel if both ends are one; rounds down; f32 cannot tell neighbours beyond 2^24",
     },
     Method {
         name: "slope",
-        run: both!(slides::slope),
+        run: drawn_and_visited!(slides::slope),
         promise: "no gaps, one addition a pixel",
         failure: "rounds down; and rounding adds up: 1 px more after 16,000 px, 10 px after 65,000",
     },
     Method {
         name: "fraction",
-        run: both!(slides::fraction),
+        run: drawn_and_visited!(slides::fraction),
         promise: "no gaps, rounds to nearest, y is an integer",
         failure: "rounding adds up, more slowly: 0.01 px after a million; a tie may fall either way",
     },
     Method {
         name: "scaled",
-        run: both!(slides::scaled),
+        run: drawn_and_visited!(slides::scaled),
         promise: "integers only: exact, at most 1/2 px off",
         failure: "32 bits overflow on lines of some 2^30 px; walks what cannot be seen",
     },
     Method {
         name: "listing",
-        run: both!(slides::listing),
+        run: drawn_and_visited!(slides::listing),
         promise: "integers only, compared with 0 (the slides' last version, as printed)",
         failure: "steps before it plots: 1 px ahead, and past the end, on slopes above 1/2; overflows too",
     },
     Method {
         name: "bresenham",
-        run: both!(bresenham),
+        run: drawn_and_visited!(bresenham),
         promise: "exact, at most 1/2 px off, any 32-bit ends; costs only what can be seen",
         failure: "jagged: a pixel is the line's or is not",
     },
     Method {
         name: "wu",
-        run: both!(wu),
+        run: drawn_and_visited!(wu),
         promise: "smooth: two pixels share each column, 1/255 px off; any 32-bit ends; costs only what can be seen",
         failure: "twice the pixels, each mixed with what lies below; lines look a little thicker",
     },

@@ -32,7 +32,7 @@ impl Major {
 
     /// The pixel `step` steps along and `risen` across, as (x, y).
     pub(crate) fn pixel(&self, step: i64, risen: i64) -> (i32, i32) {
-        // Both lie between the ends (for `wu`, one beyond, where the coverage is 0): no bits are lost.
+        // Both lie between the ends, as `wu` leaves out pixels of coverage 0: no bits are lost.
         let major = (i64::from(self.start.x) + step) as i32;
         let minor = (i64::from(self.start.y) + self.sign * risen) as i32;
         if self.steep { (minor, major) } else { (major, minor) }

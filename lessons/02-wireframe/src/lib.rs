@@ -14,44 +14,64 @@
 use common::{Color, IVec2, Image, Method, Model, Vec3};
 use lines::line;
 
-/// Draws a model's edges into a picture, in one colour.
-pub type Draw = fn(&Model, &mut Image, Color);
+/// One method as two functions that share their code.
+pub struct Wireframe {
+    /// Draws a model's edges into a picture, in one colour.
+    pub draw: fn(&Model, &mut Image, Color),
+    /// Calls `visit` for each line that is drawn, with its ends as indices into the model's positions; tests
+    /// look at it this way.
+    pub visit: fn(&Model, &mut dyn FnMut([u32; 2])),
+}
+
+/// Makes a [`Wireframe`] of a generic method.
+macro_rules! drawn_and_visited {
+    ($method:expr) => {
+        Wireframe {
+            draw: |model, image, color| $method(model, |edge| draw_edge(model, edge, image, color)),
+            visit: |model, visit| $method(model, visit),
+        }
+    };
+}
 
 /// The ways to draw a model's edges.
-pub const METHODS: &[Method<Draw>] = &[
+pub const METHODS: &[Method<Wireframe>] = &[
     Method {
         name: "three-per-triangle",
-        run: three_per_triangle,
+        run: drawn_and_visited!(three_per_triangle),
         promise: "every side of every triangle; no memory",
         failure: "draws an edge once for each triangle at it: twice the work on a closed surface",
     },
     Method {
         name: "unique-edges",
-        run: wireframe,
+        run: drawn_and_visited!(unique_edges),
         promise: "every edge once; the same pixels",
         failure: "needs 24 bytes a triangle and a sort",
     },
 ];
 
-/// Draws three lines for each triangle.
+/// Visits the three sides of each triangle.
 // ANCHOR: three_per_triangle
-pub fn three_per_triangle(model: &Model, image: &mut Image, color: Color) {
-    for corners in model.faces() {
-        let [a, b, c] = corners.map(|corner| to_pixel(corner, image));
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            line(from, to, image, color);
-        }
+pub fn three_per_triangle(model: &Model, mut visit: impl FnMut([u32; 2])) {
+    for &[a, b, c] in model.triangles() {
+        [[a, b], [b, c], [c, a]].into_iter().for_each(&mut visit);
     }
 }
 // ANCHOR_END: three_per_triangle
 
+/// Visits each edge of the model once.
+pub fn unique_edges(model: &Model, visit: impl FnMut([u32; 2])) {
+    edges(model).into_iter().for_each(visit);
+}
+
 /// Draws each edge of the model once.
 // ANCHOR: wireframe
 pub fn wireframe(model: &Model, image: &mut Image, color: Color) {
-    for edge in edges(model) {
-        let [from, to] = edge.map(|i| to_pixel(model.positions()[i as usize], image));
-        line(from, to, image, color);
-    }
+    unique_edges(model, |edge| draw_edge(model, edge, image, color));
+}
+
+fn draw_edge(model: &Model, edge: [u32; 2], image: &mut Image, color: Color) {
+    let [from, to] = edge.map(|i| to_pixel(model.positions()[i as usize], image));
+    line(from, to, image, color);
 }
 // ANCHOR_END: wireframe
 
@@ -70,8 +90,8 @@ pub fn edges(model: &Model) -> Vec<[u32; 2]> {
 /// The pixel in which a point of the model lies: x from −1 to 1 becomes a column from 0 to width − 1.
 ///
 /// The column is ⌊(x + 1)·width/2⌋. Exactly at x = 1 that is `width`, one too many; the right border belongs
-/// to the last column. y likewise. What lies beyond ±1 lies beyond the picture. In f64, where no x + 1 is
-/// rounded up to the next pixel (but for |x| below 2⁻³⁰, where a pixel's border is as good as either side).
+/// to the last column. y likewise. What lies beyond ±1 lies beyond the picture. In f64: in pictures of up to
+/// 16384 px no rounding leads to another pixel, but that x from −2⁻⁵⁴ up counts as 0.
 // ANCHOR: to_pixel
 #[must_use]
 pub fn to_pixel(point: Vec3, image: &Image) -> IVec2 {

@@ -15,7 +15,7 @@ fn main() -> ExitCode {
         draw: |flags, method| {
             let model = flags.read_model(Attributes::default())?;
             let mut image = flags.canvas(800, 800);
-            method(&model, &mut image, Color::WHITE);
+            (method.draw)(&model, &mut image, Color::WHITE);
             Ok(image.into())
         },
         turntable: None,

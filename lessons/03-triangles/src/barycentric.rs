@@ -7,7 +7,8 @@
 
 use common::{Bounds, Vec2, Vec3};
 
-/// The weights (α, β, γ) of a point, or `None` where the corners lie on one line or are not finite.
+/// The weights (α, β, γ) of a point, or `None` where the corners lie on one line or are not finite, or so far
+/// apart, some 10¹⁹, that their products are not.
 // ANCHOR: weights
 #[must_use]
 pub fn weights([a, b, c]: [Vec2; 3], p: Vec2) -> Option<Vec3> {
@@ -16,7 +17,7 @@ pub fn weights([a, b, c]: [Vec2; 3], p: Vec2) -> Option<Vec3> {
     let n = along.cross(up);
     let (u, v) = (n.x / n.z, n.y / n.z);
     let weights = Vec3::new(1.0 - (u + v), u, v);
-    weights.is_finite().then_some(weights)
+    (n.z.is_finite() && weights.is_finite()).then_some(weights)
 }
 // ANCHOR_END: weights
 

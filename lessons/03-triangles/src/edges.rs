@@ -3,20 +3,21 @@
 //! The edge function of a side from *A* to *B* is *E(P) = (B − A) × (P − A)*: twice the area of the triangle
 //! *ABP*, positive on the left of the side, 0 on it, negative on the right (J. Pineda, *A parallel algorithm
 //! for polygon rasterization*, SIGGRAPH 1988). With the corners counterclockwise, a point is inside when it
-//! is on the left of all three sides. And *E/2·area* is the weight of the opposite corner.
+//! is on the left of all three sides. And *E/(2·area)* is the weight of the opposite corner.
 //!
 //! Corners are rounded to 1/256 px once. From there on everything is an integer, so nothing depends on the
 //! order of the corners, and two triangles with a common side agree on it to the last bit.
 //!
 //! E is linear: a step to the right adds the same number to it every time. So in a row the three
 //! conditions *E ≥ 0* are three bounds on x. The first and last pixel come from three divisions, no pixel
-//! outside is ever looked at, and inside, two additions a pixel keep the weights up to date.
+//! outside is ever looked at, and inside, three additions a pixel keep the weights up to date.
 //!
-//! **Which integer?** Corners of ±2²⁰ px are ±2²⁸ in 1/256 px. Their differences are at most 2²⁹, and so are
-//! those to a pixel's centre in the triangle's bounding box; a product of two is at most 2⁵⁸, E as a difference of two
-//! products at most 2⁵⁹, and the step from one pixel to the next at most 256·2²⁹ = 2³⁷: an `i64` holds them
-//! all with 2 bits to spare. What lies farther out, up to ±2⁵² px, is computed in the same way in `i128`,
-//! where E is at most 2¹²³. Beyond that, and for NaN, nothing is drawn.
+//! **Which integer?** Corners of ±2²⁰ px are ±2²⁸ in 1/256 px, so their differences are at most 2²⁹. Those to
+//! a centre in the triangle's bounding box are at most 2²⁹ + 2⁸: the box is made of whole pixels, the centre
+//! lies ½ px inside, and the loops step one pixel past the end. So a product of two is below 2⁵⁸ + 2³⁸, and E,
+//! a difference of two products, below 2⁶⁰; the step from one pixel to the next is at most 256·2²⁹ = 2³⁷. An
+//! `i64` holds them all with 3 bits to spare. What lies farther out, up to ±2⁵² px, is computed in the same
+//! way in `i128`, where E is below 2¹²⁴. Beyond that, and for NaN, nothing is drawn.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -37,9 +38,13 @@ const WIDE: f32 = (1_u64 << 52) as f32;
 /// between 0 and 1, their sum 1 to within 1e-6. A triangle without area covers nothing.
 // ANCHOR: fill
 pub fn fill(corners: [Vec2; 3], bounds: Bounds, visit: impl FnMut(i32, i32, Vec3)) {
+    let bounds = box_of(corners, bounds);
+    // Far from the triangle no bound on the numbers holds.
+    if bounds.max.cmplt(bounds.min).any() {
+        return;
+    }
     // NaN is within no limit.
     let within = |limit: f32| corners.iter().all(|corner| corner.abs().cmple(Vec2::splat(limit)).all());
-    let bounds = box_of(corners, bounds);
     if within(NARROW) {
         scan(corners.map(snap), bounds, visit);
     } else if within(WIDE) {
@@ -65,15 +70,15 @@ trait Integer:
     Copy + Ord + From<i64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     fn to_f64(self) -> f64;
-    fn to_i32(self) -> i32;
+    fn to_i64(self) -> i64;
 }
 
 impl Integer for i64 {
     fn to_f64(self) -> f64 {
         self as f64
     }
-    fn to_i32(self) -> i32 {
-        self as i32
+    fn to_i64(self) -> i64 {
+        self
     }
 }
 
@@ -81,8 +86,8 @@ impl Integer for i128 {
     fn to_f64(self) -> f64 {
         self as f64
     }
-    fn to_i32(self) -> i32 {
-        self as i32
+    fn to_i64(self) -> i64 {
+        self as i64
     }
 }
 
@@ -134,22 +139,24 @@ impl<I: Integer> Edge<I> {
 fn scan<I: Integer>([a, b, c]: [[I; 2]; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, Vec3)) {
     let zero = I::from(0);
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    if area == zero || bounds.max.x < bounds.min.x {
+    if area == zero {
         return;
     }
-    let corner = [bounds.min.x, bounds.min.y].map(|n| I::from(i64::from(n) * SUBPIXELS + SUBPIXELS / 2));
+    // A box of every pixel is too wide for an i32.
+    let [left, right] = [bounds.min.x, bounds.max.x].map(i64::from);
+    let corner = [left, bounds.min.y.into()].map(|n| I::from(n * SUBPIXELS + SUBPIXELS / 2));
     // Clockwise corners make the same sides, walked in the other direction.
     let side = |from, to| if area > zero { Edge::new(from, to, corner) } else { Edge::new(to, from, corner) };
     let mut edges = [side(b, c), side(c, a), side(a, b)];
     let per_area = 1.0 / area.to_f64().abs();
 
     for y in bounds.min.y..=bounds.max.y {
-        let (mut first, mut last) = (zero, I::from(i64::from(bounds.max.x - bounds.min.x)));
+        let (mut first, mut last) = (zero, I::from(right - left));
         edges.iter().for_each(|edge| edge.narrow(&mut first, &mut last));
         if first <= last {
             let mut e = edges.each_ref().map(|edge| edge.row + first * edge.right);
-            for x in bounds.min.x + first.to_i32()..=bounds.min.x + last.to_i32() {
-                visit(x, y, Vec3::from_array(e.map(|e| (e.to_f64() * per_area) as f32)));
+            for x in left + first.to_i64()..=left + last.to_i64() {
+                visit(x as i32, y, Vec3::from_array(e.map(|e| (e.to_f64() * per_area) as f32)));
                 e = [e[0] + edges[0].right, e[1] + edges[1].right, e[2] + edges[2].right];
             }
         }

@@ -37,7 +37,7 @@ pub struct Triangle {
 pub type Visit = fn([Vec2; 3], Bounds, &mut dyn FnMut(i32, i32, Vec3));
 
 /// Makes a [`Triangle`] of a generic method.
-macro_rules! both {
+macro_rules! drawn_and_visited {
     ($method:expr) => {
         Triangle {
             draw: |corners, image, color| {
@@ -52,25 +52,25 @@ macro_rules! both {
 pub const METHODS: &[Method<Triangle>] = &[
     Method {
         name: "outline",
-        run: both!(slides::outline),
+        run: drawn_and_visited!(slides::outline),
         promise: "the three sides, from corners in whole pixels",
         failure: "leaves the inside out; visits corners twice; pixels of the sides lie up to 1 px outside",
     },
     Method {
         name: "sweep",
-        run: both!(slides::sweep),
+        run: drawn_and_visited!(slides::sweep),
         promise: "filled, row by row, from corners in whole pixels",
         failure: "neighbours share the pixels of their side; the middle row is visited twice; up to 1 px outside",
     },
     Method {
         name: "barycentric",
-        run: both!(barycentric),
+        run: drawn_and_visited!(barycentric),
         promise: "right but for pixel centres on or within rounding of a side; real corners",
-        failure: "neighbours share centres on their side; holes and doubles far from the origin; tests the whole box",
+        failure: "neighbours share centres on their side; holes and doubles far out, nothing beyond 10^19; tests the whole box",
     },
     Method {
         name: "edges",
-        run: both!(fill),
+        run: drawn_and_visited!(fill),
         promise: "exact for corners rounded to 1/256 px: neighbours leave no hole and share no pixel",
         failure: "corners beyond ±2^20 px take a slower path, triangles with one beyond ±2^52 px are left out",
     },

@@ -14,6 +14,7 @@
 
 pub mod normals;
 
+use common::program::tell;
 use common::{Image, Method, Model, Vec2, Vec3};
 use textures::{interpolate, texel};
 use triangles::flat_intensity;
@@ -45,7 +46,7 @@ impl Drawn {
     /// Says on standard error how many triangles were left out, if any.
     pub fn report(&self) {
         if self.left_out > 0 {
-            eprintln!("left out {} triangles that reach behind the eye", self.left_out);
+            tell(format_args!("left out {} triangles that reach behind the eye", self.left_out));
         }
     }
 }

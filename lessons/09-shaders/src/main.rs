@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use anyhow::Context;
 use camera::{lookat, turntable};
-use common::program::{Drawing, Flags, Lesson, run};
+use common::program::{Drawing, Flags, Lesson, run, tell};
 use common::{Attributes, Image, Method};
 use gouraud::corner_normals;
 use shaders::{Render, Rendering, SHADERS, Scene, Target};
@@ -72,7 +72,7 @@ fn draw(flags: &Flags, shaders: &[&Rendering], method: fn(&Rendering) -> Render)
         let mut cell = Target::new(Image::new(width as u16, height as u16, picture.format()));
         let left_out = method(shader)(&scene, &mut cell);
         if left_out > 0 && n == 0 {
-            eprintln!("left out {left_out} triangles that reach behind the eye");
+            tell(format_args!("left out {left_out} triangles that reach behind the eye"));
         }
         let (column, row) = (n as i32 % columns, columns - 1 - n as i32 / columns);
         paste(&cell.image, &mut picture, column * width, row * height);
