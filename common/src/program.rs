@@ -87,6 +87,11 @@ pub enum Fill {
     Flat,
 }
 
+/// What is wrong with a command line, where only the lesson can tell.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct UsageError(pub String);
+
 /// The flags of all lessons.
 #[derive(Clone, Debug, clap::Parser)]
 #[command(disable_version_flag = true)]
@@ -136,7 +141,7 @@ pub struct Flags {
     pub light: Vec3,
 
     /// Also write the depth buffer as a grey picture: the nearest is white, where nothing is stays black
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["compare", "turntable"])]
     pub depth: Option<PathBuf>,
 
     /// The model's texture, .tga or .png [default: the head's]
@@ -168,7 +173,7 @@ pub struct Flags {
     pub levels: u16,
 
     /// Draw this many pictures on a circle around the model, NAME-000 and so on
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=999))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=999), conflicts_with = "compare")]
     pub turntable: Option<u16>,
 
     /// The model once it was read: methods that are compared and the pictures of a turntable share it.
@@ -226,7 +231,7 @@ impl Flags {
 }
 
 /// Runs a lesson's program with the arguments of this process. What goes wrong is told in one line on
-/// standard error, with exit code 1, or 2 where the command line itself is at fault.
+/// standard error, with exit code 1, or 2 where the command line is at fault.
 #[must_use]
 pub fn run<F>(lesson: &Lesson<F>) -> ExitCode {
     let flags = match parse(lesson, std::env::args_os()) {
@@ -245,7 +250,7 @@ fn finish(result: anyhow::Result<()>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             tell(format_args!("error: {error:#}"));
-            ExitCode::FAILURE
+            ExitCode::from(if error.is::<UsageError>() { 2 } else { 1 })
         }
     }
 }

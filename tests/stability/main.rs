@@ -3,6 +3,9 @@
 //! A failure is pinned to the letter, so that a test notices when a method stops failing as the lesson says
 //! it does. Every method of a lesson has a row for every input.
 
+mod gouraud;
 mod lines;
+mod textures;
 mod triangles;
 mod wireframe;
+mod zbuffer;

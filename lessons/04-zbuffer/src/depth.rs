@@ -59,7 +59,7 @@ impl<D: Copy + PartialOrd + Into<f64>> DepthBuffer<D> {
             (far.min(depth), near.max(depth))
         });
         let bounds = self.bounds;
-        let mut picture = Image::new(bounds.max.x as u16 + 1, bounds.max.y as u16 + 1, Format::Gray);
+        let mut picture = Image::new((bounds.max.x + 1) as u16, (bounds.max.y + 1) as u16, Format::Gray);
         for (y, x) in (0..=bounds.max.y).flat_map(|y| (0..=bounds.max.x).map(move |x| (y, x))) {
             let depth = self.get(x, y);
             if depth != self.nothing {
@@ -72,9 +72,18 @@ impl<D: Copy + PartialOrd + Into<f64>> DepthBuffer<D> {
     }
 }
 
-/// Calls `visit(x, y, weights)` for each pixel of a triangle that is nearer than what was drawn there, and
-/// keeps its depth. Corners are x and y in pixels and z the depth, which `store` turns into what is kept.
+/// The mean of three corners' depths, each with its weight. Measured from the first one, so that a triangle
+/// whose corners have one depth has it everywhere, to the last bit, and equal depths compare as equal.
 // ANCHOR: fill_nearest
+#[inline]
+#[must_use]
+pub fn depth_at(depths: Vec3, weights: Vec3) -> f32 {
+    depths.x + weights.y * (depths.y - depths.x) + weights.z * (depths.z - depths.x)
+}
+
+/// Calls `visit(x, y, weights)` for each pixel of a triangle that is nearer than what was drawn there, and
+/// keeps its depth. Corners are x and y in pixels and z the depth, which `store` turns into what is kept. A
+/// triangle with a depth that is not finite is left out.
 pub fn fill_nearest<D: Copy + PartialOrd>(
     corners: [Vec3; 3],
     depths: &mut DepthBuffer<D>,
@@ -82,8 +91,11 @@ pub fn fill_nearest<D: Copy + PartialOrd>(
     mut visit: impl FnMut(i32, i32, Vec3),
 ) {
     let z = Vec3::from_array(corners.map(|corner| corner.z));
+    if !z.is_finite() {
+        return;
+    }
     fill(corners.map(Vec3::truncate), depths.bounds(), |x, y, weights| {
-        let depth = store(weights.dot(z));
+        let depth = store(depth_at(z, weights));
         if depth > depths.get(x, y) {
             depths.set(x, y, depth);
             visit(x, y, weights);

@@ -10,7 +10,8 @@
 //! that differ in what they store.
 //!
 //! Conventions: x and y in pixels, depth in the model's units; **a larger depth is nearer**, the buffer starts
-//! at −∞. Of equal depths the first one drawn stays. NaN is never nearer.
+//! at −∞. Of equal depths the first one drawn stays. A triangle with a corner at an infinite depth, or at NaN,
+//! has no plane and is left out.
 
 pub mod depth;
 pub mod painter;
@@ -18,7 +19,7 @@ pub mod painter;
 use common::{Color, Image, Method, Model, Vec2, Vec3};
 use triangles::flat_intensity;
 
-pub use depth::{DepthBuffer, fill_nearest};
+pub use depth::{DepthBuffer, depth_at, fill_nearest};
 pub use painter::painter;
 
 /// A triangle as it will be seen, in one colour.
@@ -104,12 +105,13 @@ pub fn z24(surfaces: &[Surface], image: &mut Image) -> DepthBuffer<u32> {
 /// The level of a depth, rounded to nearest: 1 for the farthest of the scene, `top` for the nearest. Level 0
 /// is left for pixels in which nothing was drawn.
 fn levels(surfaces: &[Surface], top: f32) -> impl Fn(f32) -> f32 {
-    let depths = || surfaces.iter().flat_map(|surface| surface.corners).map(|corner| corner.z);
+    let depths = || surfaces.iter().flat_map(|surface| surface.corners.map(|corner| corner.z));
+    let depths = || depths().filter(|depth| depth.is_finite());
     let far = depths().fold(f32::INFINITY, f32::min);
     let near = depths().fold(f32::NEG_INFINITY, f32::max);
-    // A scene without depth has one level. A NaN depth becomes NaN here, and level 0 when it is stored.
+    // A scene without depth has one level.
     let per_depth = if near > far { (top - 1.0) / (near - far) } else { 0.0 };
-    move |depth| (1.0 + (depth - far) * per_depth).round().min(top)
+    move |depth| (1.0 + (depth - far) * per_depth).round().clamp(1.0, top)
 }
 
 /// Draws each surface where it is nearer than what was drawn before it.

@@ -2,9 +2,8 @@
 
 use std::process::ExitCode;
 
-use anyhow::Context;
 use common::Attributes;
-use common::program::{Drawing, Lesson, run};
+use common::program::{Drawing, Lesson, UsageError, run};
 use zbuffer::surfaces;
 
 fn main() -> ExitCode {
@@ -20,8 +19,8 @@ fn main() -> ExitCode {
             let surfaces = surfaces(&model, flags.light, &picture);
             let depth = match flags.depth {
                 Some(_) => {
-                    let draw =
-                        method.depth.context("--depth: painter keeps no depths; use --method z-f32")?;
+                    let message = "--depth: painter keeps no depths; use --method z-f32";
+                    let draw = method.depth.ok_or_else(|| UsageError(message.into()))?;
                     Some(draw(&surfaces, &picture))
                 }
                 None => None,

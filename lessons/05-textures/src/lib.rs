@@ -79,7 +79,7 @@ pub fn round(texture: &Image, uv: Vec2) -> Color {
 }
 
 /// The texel that (u, v) is in, or the nearest one outside. NaN counts as 0; a texture without texels is
-/// black.
+/// black. So near to a border that f32 rounds the product to it, the texel behind the border is found.
 // ANCHOR: texel
 #[inline]
 #[must_use]

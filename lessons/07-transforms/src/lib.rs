@@ -54,8 +54,8 @@ pub const METHODS: &[Method<Compose>] = &[
     },
 ];
 
-/// The nearest matrix with columns of length 1 at right angles, by Gram and Schmidt: the first column keeps
-/// its direction, the second its plane.
+/// A rotation near to a matrix that is nearly one, by Gram and Schmidt: the first column keeps its direction,
+/// the second its plane with the first.
 #[must_use]
 pub fn orthonormal(m: Mat3) -> Mat3 {
     let x = m.x_axis.normalize();

@@ -18,7 +18,8 @@ pub mod turntable;
 use common::{Mat3, Mat4, Method, Vec3};
 use transforms::translate;
 
-/// The view matrix of an eye that looks at a centre; `None` where they are one point.
+/// The view matrix of an eye that looks at a centre, given eye, centre and up; `None` where there is no
+/// direction from one to the other, as in [`basis`].
 pub type View = fn(Vec3, Vec3, Vec3) -> Option<Mat4>;
 
 /// The ways to build a view matrix.
@@ -56,7 +57,8 @@ pub fn listing(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat4> {
 // ANCHOR_END: listing
 
 /// The matrix whose rows are the eye's basis. Where up is along the view to within 1e-6, or 0, the world axis
-/// farthest from the view stands in for it. `None` where eye and centre are one point.
+/// farthest from the view stands in for it. `None` where eye and centre are one point, or less than about
+/// 1e-19 or more than 1e19 apart, as the square of that is no f32.
 // ANCHOR: basis
 #[must_use]
 pub fn basis(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat3> {

@@ -2,10 +2,9 @@
 
 use std::process::ExitCode;
 
-use anyhow::Context;
 use camera::turntable;
 use common::Attributes;
-use common::program::{Drawing, Lesson, run};
+use common::program::{Drawing, Lesson, UsageError, run};
 use gouraud::{Scene, corner_normals, gouraud};
 use transforms::{place, projection, viewport};
 
@@ -23,7 +22,7 @@ fn main() -> ExitCode {
             let size = picture.size();
 
             let view = view(flags.eye, flags.center, flags.up)
-                .context("--eye and --center are one point: move one of them")?;
+                .ok_or_else(|| UsageError("--eye and --center are one point: move one of them".into()))?;
             let distance = flags.eye.distance(flags.center);
             let all = viewport(size.x, size.y, 0.5) * projection(distance) * view;
 

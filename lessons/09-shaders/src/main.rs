@@ -2,9 +2,8 @@
 
 use std::process::ExitCode;
 
-use anyhow::Context;
 use camera::{lookat, turntable};
-use common::program::{Drawing, Flags, Lesson, run, tell};
+use common::program::{Drawing, Flags, Lesson, UsageError, run, tell};
 use common::{Attributes, Image, Method};
 use gouraud::corner_normals;
 use shaders::{Render, Rendering, SHADERS, Scene, Target};
@@ -35,7 +34,8 @@ fn main() -> ExitCode {
             Some(name) => {
                 let names = || SHADERS.iter().map(|shader| shader.name).collect::<Vec<_>>().join(", ");
                 let shader = Method::find(SHADERS, name);
-                let shader = shader.with_context(|| format!("--shader {name}: there are {}", names()))?;
+                let unknown = || UsageError(format!("--shader {name}: there are {}", names()));
+                let shader = shader.ok_or_else(unknown)?;
                 draw(flags, &[&shader.run], *method)
             }
             None => draw(flags, &[0, 1, 2, 3].map(|n| &SHADERS[n].run), *method),
@@ -58,7 +58,7 @@ fn draw(flags: &Flags, shaders: &[&Rendering], method: fn(&Rendering) -> Render)
     let columns = if shaders.len() == 1 { 1 } else { 2 };
     let (width, height) = (picture.width() / columns, picture.height() / columns);
     let view = lookat(flags.eye, flags.center, flags.up)
-        .context("--eye and --center are one point: move one of them")?;
+        .ok_or_else(|| UsageError("--eye and --center are one point: move one of them".into()))?;
     let projection = projection(flags.eye.distance(flags.center));
     let scene = Scene {
         model: &model,
@@ -68,17 +68,19 @@ fn draw(flags: &Flags, shaders: &[&Rendering], method: fn(&Rendering) -> Render)
         to_screen: viewport(width as f32, height as f32, ZOOM) * projection * view,
         levels: flags.levels,
     };
+    let mut left_out = 0;
     for (n, shader) in shaders.iter().enumerate() {
         let mut cell = Target::new(Image::new(width as u16, height as u16, picture.format()));
-        let left_out = method(shader)(&scene, &mut cell);
-        if left_out > 0 && n == 0 {
-            tell(format_args!("left out {left_out} triangles that reach behind the eye"));
-        }
+        // A shader may reject a triangle before anyone knows where it is: the largest count is the true one.
+        left_out = left_out.max(method(shader)(&scene, &mut cell));
         let (column, row) = (n as i32 % columns, columns - 1 - n as i32 / columns);
         paste(&cell.image, &mut picture, column * width, row * height);
         if let Some(depth) = &mut depth {
             paste(&cell.depths.picture(), depth, column * width, row * height);
         }
+    }
+    if left_out > 0 {
+        tell(format_args!("left out {left_out} triangles that reach behind the eye"));
     }
     Ok(Drawing { picture, depth })
 }

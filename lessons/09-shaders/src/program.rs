@@ -2,6 +2,7 @@
 
 use common::{Color, Vec2, Vec3, Vec4, Vec4Swizzles};
 use triangles::fill;
+use zbuffer::depth_at;
 
 use crate::Target;
 
@@ -121,7 +122,7 @@ pub fn render<P: Program + ?Sized>(program: &mut P, faces: usize, target: &mut T
         // 3. The pixels: depth test, colour, and only then the new depth.
         let z = Vec3::from_array(corners.map(|corner| corner.z));
         fill(corners.map(Vec3::truncate), depths.bounds(), |x, y, weights| {
-            let depth = weights.dot(z);
+            let depth = depth_at(z, weights);
             if depth > depths.get(x, y)
                 && let Some(color) = program.fragment(weights)
             {

@@ -4,10 +4,22 @@
 //! |---|---|
 //! | [`segment`] | the ideal line, in rational numbers |
 //! | [`coverage`] | the pixels of a triangle and their weights, in `i128` |
+//! | [`visibility`] | the nearest of several triangles, in `f64` |
+//! | [`texel`] | the texel of a texture coordinate, in `i128` |
+//! | [`sphere`] | a smooth sphere under a light, by its equation |
+//! | [`matrix`] | the inverse of a matrix, in rational numbers |
+//! | [`turn`] | rotations about an axis, in `f64` |
+//! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing here calls a lesson, and nothing is computed the way the lessons compute it.
 
 pub mod coverage;
+pub mod matrix;
 pub mod picture;
 pub mod segment;
+pub mod sphere;
+pub mod texel;
+pub mod turn;
+pub mod view;
+pub mod visibility;

@@ -1,0 +1,166 @@
+use assets::sphere::sphere;
+use checks::sphere::intensity;
+use common::{Attributes, Color, Format, Image, Model, Vec3};
+use gouraud::{METHODS, Scene, corner_normals, intensities};
+use verify::method;
+
+const BOTH: Attributes = Attributes { normals: true, uvs: true };
+
+/// What must happen.
+#[derive(Debug)]
+enum Must {
+    /// No pixel farther than this many grey levels from the smooth sphere.
+    AtMost(f64),
+    /// One as far as this, and none farther by half a level.
+    Fail(f64),
+}
+use Must::{AtMost, Fail};
+
+type Row = (&'static str, Must);
+type Case = (&'static str, [usize; 2], Vec3, &'static [Row]);
+
+/// Input, the sphere's bands and sectors, the light, and how far from the smooth sphere each method must be.
+/// Measured within 0.9 of the radius, where the triangles' outline cannot be mistaken for the sphere's.
+const TABLE: &[Case] = &[
+    (
+        "24 triangles: worse than flat",
+        [4, 4],
+        Vec3::Z,
+        &[("none", Fail(144.0)), ("flat", Fail(86.9)), ("gouraud", Fail(121.3))],
+    ),
+    (
+        "440 triangles",
+        [12, 20],
+        Vec3::Z,
+        &[("none", Fail(144.0)), ("flat", Fail(37.4)), ("gouraud", AtMost(12.0))],
+    ),
+    (
+        "1,840 triangles",
+        [24, 40],
+        Vec3::Z,
+        &[("none", Fail(144.0)), ("flat", Fail(19.2)), ("gouraud", AtMost(4.0))],
+    ),
+    (
+        "7,520 triangles",
+        [48, 80],
+        Vec3::Z,
+        &[("none", Fail(144.0)), ("flat", Fail(9.7)), ("gouraud", AtMost(1.0))],
+    ),
+    (
+        "7,520 triangles, light from the side",
+        [48, 80],
+        Vec3::X,
+        &[("none", Fail(255.0)), ("flat", Fail(10.0)), ("gouraud", AtMost(1.0))],
+    ),
+    (
+        "7,520 triangles, light from behind",
+        [48, 80],
+        Vec3::NEG_Z,
+        &[("none", Fail(255.0)), ("flat", Fail(0.0)), ("gouraud", AtMost(0.0))],
+    ),
+];
+
+/// Draws a model, white, by one method.
+fn draw(model: &Model, normals: Vec<[Vec3; 3]>, light: Vec3, name: &str, side: u16) -> Image {
+    let mut white = Image::new(1, 1, Format::Gray);
+    white.set(0, 0, Color::WHITE);
+    let mut picture = Image::new(side, side, Format::Gray);
+    method(METHODS, name)(&Scene { model, normals, texture: &white, light }, &mut picture);
+    picture
+}
+
+/// The largest difference from the smooth sphere, and the mean, in grey levels.
+fn error([bands, sectors]: [usize; 2], light: Vec3, name: &str) -> (f64, f64) {
+    let model = Model::parse(sphere(bands, sectors).to_obj().as_bytes(), BOTH).unwrap();
+    let picture = draw(&model, corner_normals(&model), light, name, 201);
+    let at = |n: i32| (2.0 * f64::from(n) + 1.0) / 201.0 - 1.0;
+    let inner = picture.pixels().filter(|&(x, y, _)| at(x) * at(x) + at(y) * at(y) < 0.81);
+    let errors: Vec<f64> = inner
+        .map(|(x, y, color)| {
+            let exact = intensity(at(x), at(y), light.as_dvec3()).unwrap();
+            (f64::from(color.r) - 255.0 * exact).abs()
+        })
+        .collect();
+    (errors.iter().copied().fold(0.0, f64::max), errors.iter().sum::<f64>() / errors.len() as f64)
+}
+
+#[test]
+fn every_method_does_what_it_must() {
+    for (input, cuts, light, rows) in TABLE {
+        assert!(rows.iter().map(|row| row.0).eq(METHODS.iter().map(|method| method.name)), "{input}");
+        for (name, must) in *rows {
+            let (largest, _) = error(*cuts, *light, name);
+            let met = match *must {
+                AtMost(limit) => largest <= limit + 0.5,
+                Fail(expected) => (largest - expected).abs() <= 0.5,
+            };
+            assert!(met, "{input}, {name}: {largest:.2} levels off, but {must:?} was expected");
+        }
+    }
+}
+
+/// Half the triangles' size, a quarter of the error; flat shading only halves it.
+#[test]
+fn gourauds_error_falls_with_the_square_of_the_triangles_size() {
+    let ratio = |name| error([12, 20], Vec3::Z, name).1 / error([24, 40], Vec3::Z, name).1;
+    assert!((3.0..5.0).contains(&ratio("gouraud")));
+    assert!((1.8..2.2).contains(&ratio("flat")));
+}
+
+/// Light that falls on the middle of a large triangle leaves its corners, and so all of it, dimmer than it is.
+#[test]
+fn a_highlight_narrower_than_a_triangle_is_lost() {
+    let octahedron = Model::parse(
+        b"v 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvn 1 0 0\nvn 0 1 0\nvn 0 0 1\nf 1/1/1 2/1/2 3/1/3\n",
+        BOTH,
+    );
+    let model = octahedron.unwrap();
+    let light = Vec3::ONE.normalize();
+    let brightest = |name: &str| {
+        let picture = draw(&model, corner_normals(&model), light, name, 99);
+        picture.pixels().map(|pixel| pixel.2.r).max()
+    };
+    // All three corners see the light at arccos(1/√3) = 54.7°.
+    let at_the_corners = (255.0 / 3f64.sqrt()).round() as u8;
+    assert_eq!((brightest("flat"), brightest("gouraud")), (Some(255), Some(at_the_corners)));
+}
+
+/// One corner in the light, two in the dark: the brightness is interpolated first and cut off at 0 then, so
+/// that the border of the light is where the sum is 0 and not along the sides.
+#[test]
+fn brightness_is_clamped_after_interpolation() {
+    let text = b"v -1 -1 0\nv 1 -1 0\nv -1 1 0\nvt 0 0\nvn 0 0 1\nvn 0 0 -1\nf 1/1/1 2/1/2 3/1/2\n";
+    let model = Model::parse(text, BOTH).unwrap();
+    let picture = draw(&model, corner_normals(&model), Vec3::Z, "gouraud", 16);
+    for (x, y, color) in picture.pixels().filter(|(x, y, _)| x + y < 15) {
+        // The weights of the second and third corner grow with x and y.
+        let dark = (f64::from(x) + 0.5) / 16.0 + (f64::from(y) + 0.5) / 16.0;
+        let exact = 255.0 * (1.0 - 2.0 * dark).max(0.0);
+        assert!((f64::from(color.r) - exact).abs() <= 0.51, "({x}, {y}): {}, not {exact}", color.r);
+    }
+    assert_eq!(intensities([Vec3::Z, Vec3::NEG_Z, Vec3::X], Vec3::Z), Vec3::new(1.0, -1.0, 0.0));
+}
+
+/// Input, an OBJ text, and the normal at the first corner of the first triangle.
+#[test]
+fn normals_are_the_files_made_1_long_or_else_computed() {
+    // A level triangle, and one twice as large that stands on it; both have corner 1.
+    let shape = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nvt 0 0\n";
+    let weighted = Vec3::new(2.0, 0.0, 1.0).normalize();
+    for (input, faces, expected) in [
+        ("of length 1", "vn 0 1 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Y),
+        ("of length 5", "vn 0 3 4\nf 1/1/1 2/1/1 3/1/1\n", Vec3::new(0.0, 0.6, 0.8)),
+        ("of length 1e-3", "vn 0 0.001 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Y),
+        ("of length 0: the triangle's own", "vn 0 0 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Z),
+        ("so short that its square is 0: the triangle's own", "vn 0 1e-30 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Z),
+        ("so long that its square is infinite: the same", "vn 0 1e30 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Z),
+        ("missing: the mean, weighted by area", "f 1/1 2/1 3/1\nf 1/1 3/1 4/1\n", weighted),
+        ("missing at one face: all are computed", "vn 0 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\n", weighted),
+        ("missing, and two faces cancel: the triangle's own", "f 1/1 2/1 3/1\nf 1/1 3/1 2/1\n", Vec3::Z),
+        ("missing, and no area: none", "f 1/1 1/1 2/1\n", Vec3::ZERO),
+    ] {
+        let model = Model::parse(format!("{shape}{faces}").as_bytes(), BOTH).unwrap();
+        let got = corner_normals(&model)[0][0];
+        assert!((got - expected).length() < 1e-6, "{input}: {got}, not {expected}");
+    }
+}
