@@ -12,7 +12,8 @@
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
-//! Nothing here calls a lesson, and nothing is computed the way the lessons compute it.
+//! Nothing here calls a lesson, and the references compute nothing the way the lessons do. Pictures are
+//! compared by `common`, as under `--compare`.
 
 pub mod coverage;
 pub mod matrix;
