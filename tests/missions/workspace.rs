@@ -202,6 +202,30 @@ fn starters_fail_kindly_and_solutions_pass() {
         assert!(copy.root.join(format!("out/my-{lesson}.png")).exists());
     }
 
+    // Whatever the student's code does, there is a verdict.
+    let solution = copy.read("01-lines", "src/lib.rs");
+    for (fault, points, said) in [
+        ("loop {}", 0, "ran out of time"),
+        ("std::process::abort()", 0, "crashed: the program ended"),
+        ("std::process::exit(0)", 0, "crashed: the program ended"),
+        ("if image.width() == 64 { [0][a.x as usize]; }", 2, "lib.rs:4: index out of bounds"),
+        ("println!(\"right\"); lines::line(a, b, image, color)", 10, "\nright  picture "),
+    ] {
+        let code = format!(
+            "#![allow(unused)]\nuse common::{{Color, IVec2, Image}};\n\
+             pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {{\n{fault};\n\
+             lines::line(a, b, image, color) }}"
+        );
+        copy.write("01-lines", "src/lib.rs", &code);
+        assert!(copy.cargo("build", &[]).status.success(), "{fault}");
+        let told = text(&copy.run("01-lines").stdout);
+        assert!(
+            told.contains(said) && told.contains(&format!(": {points} of 10 points\n")),
+            "{fault}: {told}"
+        );
+    }
+    copy.write("01-lines", "src/lib.rs", &solution);
+
     // They are built on each other: what is broken in lesson 4 is broken in 5 and 6, and not in 3 or 7.
     let broken = copy.read("04-zbuffer", "src/lib.rs").replace("depth > depths.get", "depth < depths.get");
     copy.write("04-zbuffer", "src/lib.rs", &broken);
