@@ -27,7 +27,7 @@ use glam::{DVec2, DVec3};
 use crate::mesh::{Corner, Mesh};
 use atlas::{Chart, chart};
 use shape::{EYE, EYE_RADIUS, MOUTH, NOSE_BASE};
-use surface::{Place, Surface};
+use surface::Surface;
 
 /// Triangles of the head without its eyeballs.
 const TRIANGLES: usize = 5600;
@@ -106,9 +106,10 @@ fn bust() -> impl Iterator<Item = (Chart, [Point; 3])> {
         let chart = chart(corners, flat);
         let point = |i: usize| {
             let position = BUST.positions[i];
-            // The base meets the body at an edge.
-            let normal =
-                if chart == Chart::Base || BUST.places[i] == Place::Base { DVec3::NEG_Y } else { smooth[i] };
+            // The base meets the body at an edge; and where the surface bends more sharply than triangles follow,
+            // a triangle keeps its own normal.
+            let bent = chart == Chart::Base || smooth[i].dot(flat) < 0.1;
+            let normal = if bent { flat } else { smooth[i] };
             Point { position, uv: chart.uv(position, (a + b + c) / 3.0), normal }
         };
         (chart, triangle.map(point))

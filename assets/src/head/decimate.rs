@@ -157,15 +157,19 @@ impl<W: Fn(DVec3) -> f64> Work<W> {
                 if first == Place::Body { to } else { DVec3::new(to.x, BASE, to.z) }
             }
         };
-        // Where all is flat, short edges go first; before all, triangles with three corners on the rim, which lie
-        // on a line but for rounding.
-        let on_rim = |i: &usize| self.mesh.places[*i] == Place::Rim;
-        let flat =
-            |&n: &usize| self.mesh.triangles[n].contains(&b) && self.mesh.triangles[n].iter().all(on_rim);
-        let needless = self.around[a].iter().any(flat);
-        let error = if needless { -1.0 } else { quadric.error(to).max(0.0) };
+        // Where all is flat, short edges go first; before all, triangles of the base that rounding turned over.
+        let spoilt =
+            |&n: &usize| self.mesh.triangles[n].contains(&b) && self.turned_over(self.mesh.triangles[n]);
+        let error = if self.around[a].iter().any(spoilt) { -1.0 } else { quadric.error(to).max(0.0) };
         let cost = error + 1e-9 * (self.weight)(middle) * p.distance_squared(q);
         self.heap.push(Candidate { cost, ends, moves: ends.map(|i| self.moves[i]), to });
+    }
+
+    /// Whether a triangle of the base, which faces downwards, faces up or is a sliver.
+    fn turned_over(&self, triangle: [usize; 3]) -> bool {
+        let [p, q, r] = triangle.map(|i| self.mesh.positions[i]);
+        let on_base = triangle.iter().all(|&i| self.mesh.places[i] != Place::Body);
+        on_base && (q - p).cross(r - p).y > -0.02 * p.distance_squared(q).max(p.distance_squared(r))
     }
 
     fn neighbours(&self, vertex: usize) -> Vec<usize> {
@@ -177,7 +181,7 @@ impl<W: Fn(DVec3) -> f64> Work<W> {
     }
 
     /// Whether the mesh stays a closed surface with its rim, and no triangle turns over or becomes a sliver.
-    fn allowed(&self, Candidate { ends: [a, b], to, cost, .. }: &Candidate) -> bool {
+    fn allowed(&self, Candidate { ends: [a, b], to, .. }: &Candidate) -> bool {
         // The link condition: two vertices and no more are neighbours of both ends.
         let [of_a, of_b] = [*a, *b].map(|i| self.neighbours(i));
         let shared: Vec<usize> = of_a.iter().copied().filter(|i| of_b.contains(i)).collect();
@@ -192,13 +196,10 @@ impl<W: Fn(DVec3) -> f64> Work<W> {
                 return false;
             }
         }
-        if *cost < 0.0 {
-            return true;
-        }
         let rim = self.mesh.places[*a].max(self.mesh.places[*b]) == Place::Rim;
         let stays = |&n: &usize| {
             let triangle = self.mesh.triangles[n];
-            if triangle.contains(a) && triangle.contains(b) {
+            if triangle.contains(a) && triangle.contains(b) || self.turned_over(triangle) {
                 return true;
             }
             let on_rim = |&i: &usize| self.mesh.places[i] == Place::Rim || ((i == *a || i == *b) && rim);

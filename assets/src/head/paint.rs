@@ -122,12 +122,12 @@ fn skin(p: DVec3, normal: DVec3) -> DVec3 {
     c *= 0.955 + 0.09 * noise(p * 90.0);
     let blot = |center: DVec3, size: f64| bump(side.distance(center) / size);
     let freckles = blot(DVec3::new(0.12, -0.07, 0.34), 0.16);
-    c = c.lerp(FRECKLE, 0.5 * freckles * step((noise(p * 70.0) - 0.66) * 8.0));
+    c = c.lerp(FRECKLE, 0.5 * freckles * step((noise(p * 115.0) - 0.68) * 7.0));
     // Blood under thin skin.
     let redness = 0.5 * blot(DVec3::new(0.165, -0.12, 0.3), 0.13)
         + 0.4 * blot(DVec3::new(0.0, -0.14, 0.51), 0.075)
         + 0.2 * blot(DVec3::new(0.0, -0.44, 0.4), 0.08)
-        + 0.5 * blot(DVec3::new(0.36, -0.04, -0.05), 0.17);
+        + 0.32 * blot(DVec3::new(0.36, -0.04, -0.05), 0.17);
     c = c.lerp(BLUSH, redness * (0.75 + 0.4 * noise(p * 12.0)));
     // Thin, bluish skin around the eyes.
     c = c.lerp(hex(0xb08a80), 0.45 * blot(EYE + DVec3::new(-0.01, -0.03, 0.04), 0.075));
@@ -138,7 +138,7 @@ fn skin(p: DVec3, normal: DVec3) -> DVec3 {
     c = paint_hair(c, side, p);
     let closed = occlusion(p, normal);
     c *= DVec3::ONE.lerp(SHADOW, closed);
-    let hollow = step((0.004 - mouth(side)) / 0.012).max(step((0.002 - nostril(side)) / 0.008));
+    let hollow = step((0.005 - mouth(side)) / 0.004).max(step((0.005 - nostril(side)) / 0.006));
     c.lerp(HOLLOW, 0.9 * hollow)
 }
 
@@ -150,7 +150,7 @@ fn beard(side: DVec3, p: DVec3) -> f64 {
     let below = step((cheek - side.y + edge) / 0.07);
     let moustache = step((NOSE_BASE - 0.01 - side.y) / 0.03) * step((0.13 - side.x) / 0.03);
     let above = step((side.y + 0.62 + edge) / 0.1) * step((side.z + 0.02) / 0.08);
-    below.max(moustache) * above * (0.55 + 0.75 * step(noise(p * 160.0) * 1.6 - 0.5))
+    below.max(moustache) * above * (0.7 + 0.5 * step(noise(p * 190.0) * 1.6 - 0.5))
 }
 
 /// The red of the lips, darker towards the line between them.
@@ -159,11 +159,11 @@ fn paint_lips(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
     if side.z < 0.3 || t > 1.1 || (side.y - MOUTH).abs() > 0.1 {
         return c;
     }
-    let on_lips = step((0.0055 - lips(side)) / 0.004) * step((1.05 - t) / 0.1);
+    let on_lips = step((0.0055 - lips(side)) / 0.004) * step((0.96 - t) / 0.25);
     let wrinkles = 0.9 + 0.2 * noise(DVec3::new(p.x * 170.0, p.y * 20.0, 0.0));
     let c = c.lerp(LIP * wrinkles, 0.85 * on_lips);
-    let line = bump((side.y - mouth_line(side.x)).abs() / 0.014) * step((1.0 - t) / 0.15);
-    c.lerp(LIP_DARK, 0.7 * line)
+    let line = bump((side.y - mouth_line(side.x)) / 0.009) * step((1.0 - t) / 0.3);
+    c.lerp(LIP_DARK, 0.85 * line)
 }
 
 /// The lids' edges: lashes on the upper one, a moist rim below, the pink corner inside.
@@ -198,7 +198,7 @@ fn paint_brow(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
     let hair = noise(DVec3::new(lean * 260.0, along * 24.0, p.x.signum() * 5.0));
     let edge = across.abs() / half + 0.7 * (hair - 0.5);
     let dense = step((1.15 - edge) / 0.6) * step((t + 0.06) / 0.15) * step((1.03 - t) / 0.2);
-    c.lerp(HAIR, dense * (0.55 + 0.45 * hair))
+    c.lerp(HAIR, dense * (0.7 + 0.3 * hair))
 }
 
 /// The hair of the head: strands that run out from the whorl, thinner at the hairline.

@@ -98,6 +98,8 @@ fn nose(p: DVec3) -> f64 {
     let mut d = chain(p, &bridge, &[0.03, 0.035, 0.038]);
     d = union(d, ellipsoid(p, at(0.0, -0.152, 0.476), at(0.037, 0.034, 0.038)), 0.03);
     d = union(d, ellipsoid(p, at(0.045, -0.17, 0.424), at(0.025, 0.026, 0.042)), 0.04);
+    // What all of it stands on.
+    d = union(d, cone(p, at(0.0, 0.0, 0.33), 0.045, at(0.0, -0.165, 0.39), 0.045), 0.03);
     // The bridge between the nostrils.
     union(d, cone(p, at(0.0, -0.174, 0.483), 0.013, at(0.0, -0.189, 0.43), 0.014), 0.02)
 }
@@ -174,11 +176,11 @@ pub fn mouth_line(x: f64) -> f64 {
 /// What is taken out between and behind the lips.
 #[must_use]
 pub fn mouth(p: DVec3) -> f64 {
-    // A slit that closes towards its ends, and the room behind it.
-    let across = (p.x - 0.05).max(0.0);
+    // A slit with pointed ends, and the room behind it.
+    let across = 0.2 * (p.x - 0.03).max(0.0);
     let y = p.y - mouth_line(p.x);
     let deep = (p.z - 0.38).abs() - 0.06;
-    let slit = DVec3::new(across, y, deep.max(0.0)).length() - (0.0065 - 0.04 * p.x.min(0.07));
+    let slit = DVec3::new(across, y, deep.max(0.0)).length() - 0.005;
     union(slit, ellipsoid(p, at(0.0, MOUTH - 0.012, 0.325), at(0.08, 0.04, 0.055)), 0.01)
 }
 
