@@ -31,10 +31,10 @@ use surface::Surface;
 
 /// Triangles of the head without its eyeballs.
 const TRIANGLES: usize = 5600;
-/// Model units per head height: the bust is 1.48 head heights tall.
+/// Model units per head height: the bust is 1.49 head heights tall.
 const SCALE: f64 = 1.34;
 /// What is in the middle of the model, in head heights.
-const MIDDLE: DVec3 = DVec3::new(0.0, -0.212, 0.0);
+const MIDDLE: DVec3 = DVec3::new(0.0, -0.207, 0.0);
 
 /// The bust in few triangles, which model and texture share.
 static BUST: LazyLock<Surface> = LazyLock::new(|| {
@@ -144,6 +144,10 @@ fn eye(side: f64) -> impl Iterator<Item = [Point; 3]> {
 /// How much an error of the surface counts at a point: most around eyes and lips, least on the shoulders.
 fn importance(p: DVec3) -> f64 {
     let side = DVec3::new(p.x.abs(), p.y, p.z);
+    // The floor behind an eyeball and the throat are never seen.
+    if side.distance(EYE) < EYE_RADIUS - 0.004 || (shape::mouth(side) < 0.003 && p.z < 0.385) {
+        return 0.5;
+    }
     let near = |center: DVec3, reach: f64| 1.0 - shape::step(side.distance(center) / reach - 0.5);
     let eye = near(EYE + DVec3::Z * 0.05, 0.09);
     let lips = near(DVec3::new(0.03, MOUTH, 0.41), 0.1);

@@ -32,7 +32,7 @@ const LIP_DARK: DVec3 = hex(0x7c3a36);
 const HAIR: DVec3 = hex(0x3a281d);
 const HAIR_LIGHT: DVec3 = hex(0x6b4b33);
 const HOLLOW: DVec3 = hex(0x3a1512);
-const SHADOW: DVec3 = hex(0x8a5344);
+const SHADOW: DVec3 = hex(0x8a6152);
 
 /// Paints the texture. Each corner of each triangle: texture coordinates, position in head heights, normal.
 #[must_use]

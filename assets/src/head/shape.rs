@@ -76,8 +76,8 @@ fn face(p: DVec3) -> f64 {
     let mut d = union(union(skull, forehead, 0.1), middle, 0.1);
     // The jaw: from the joint below the ear to its angle, and along its edge to the chin.
     let angle = at(0.205, -0.3, 0.06);
-    d = union(d, cone(p, at(0.225, -0.12, 0.02), 0.06, angle, 0.05), 0.12);
-    d = union(d, cone(p, angle, 0.045, at(0.05, -0.435, 0.32), 0.05), 0.12);
+    d = union(d, cone(p, at(0.22, -0.12, 0.02), 0.06, angle, 0.05), 0.16);
+    d = union(d, cone(p, angle, 0.045, at(0.05, -0.435, 0.32), 0.05), 0.16);
     d = union(d, ellipsoid(p, at(0.0, -0.432, 0.34), at(0.085, 0.065, 0.066)), 0.09);
     // Cheekbone and its arch back to the ear; the cheek below.
     d = union(d, ellipsoid(p, at(0.165, -0.09, 0.245), at(0.085, 0.065, 0.09)), 0.09);
@@ -116,10 +116,11 @@ fn eyelids(p: DVec3, skin: f64) -> f64 {
     if q.length() > 0.2 {
         return skin;
     }
-    let lids = union(skin, q.length() - EYE_RADIUS - 0.009, 0.03);
+    // Wider than the ball, so that they are thick enough where they meet.
+    let lids = union(skin, ellipsoid(q, DVec3::ZERO, at(0.077, 0.067, 0.067)), 0.03);
     // The opening ends on a floor, behind the eyeball's surface but wider than the ball: no pit in the corners.
     let floor = ellipsoid(q, DVec3::ZERO, at(0.07, 0.046, 0.046));
-    cut(lids, eye_opening(q).max(-floor), 0.005)
+    cut(lids, eye_opening(q).max(-floor), 0.008)
 }
 
 /// The almond between the lids, a prism along z: negative inside. `q` is relative to the eye's centre.
@@ -127,7 +128,7 @@ fn eyelids(p: DVec3, skin: f64) -> f64 {
 pub fn eye_opening(q: DVec3) -> f64 {
     let u = q.x / EYE_HALF;
     // The corners are rounded. The slope of the lids there would stretch the field; 0.8 keeps it a bound.
-    let d = cut(q.y - upper_lid(u), q.y - lower_lid(u), 0.012) * 0.8;
+    let d = cut(q.y - upper_lid(u), q.y - lower_lid(u), 0.018) * 0.8;
     d.max(-q.z)
 }
 
@@ -247,13 +248,13 @@ fn hair(p: DVec3, bare: f64) -> f64 {
     }
     // Thinner around the ear, so that the ear stands free.
     let ear = step((at(0.33, 0.0, -0.05).distance(p) - 0.08) / 0.15);
-    bare - (0.012 + 0.02 * ear) * hairiness(p)
+    bare - (0.012 + 0.024 * ear) * hairiness(p)
 }
 
 /// How far a point is inside the hairline: 0 on bare skin, 1 where the hair is full.
 #[must_use]
 pub fn hairiness(p: DVec3) -> f64 {
-    step(above_hairline(p) / 0.07)
+    step(above_hairline(p) / 0.2)
 }
 
 /// Height over the hairline, negative below it.
