@@ -114,7 +114,7 @@ fn eye(p: DVec3) -> DVec2 {
     q.truncate().normalize_or_zero() * angle.min(1.0)
 }
 
-/// The point of the unit eyeball at a place in the unit disc: the inverse of [`eye`].
+/// The point of the unit eyeball at a place in the unit disc of the eye's patch.
 #[must_use]
 pub fn on_eye(disc: DVec2) -> DVec3 {
     let angle = (disc.length() * 80.0).to_radians();
