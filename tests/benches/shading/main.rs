@@ -197,7 +197,9 @@ fn ratios(_: &mut Criterion) {
     for length in [100, 400, 1600, 6400] {
         let draw = |name: &str, length| {
             let draw = method(METHODS, name).draw;
-            move |image: &mut Image| (0..20).for_each(|_| draw(black_box(sliver(length)), image, Color::WHITE))
+            move |image: &mut Image| {
+                (0..20).for_each(|_| draw(black_box(sliver(length)), image, Color::WHITE))
+            }
         };
         let longer = ratio(|| canvas(2 * length), draw("edges", 2 * length), draw("edges", length));
         println!("a sliver of {} px / one of {length} px: {longer:.2}", 2 * length);
