@@ -2,7 +2,7 @@ use checks::view::on_level;
 use common::{Attributes, Color, DVec3, Format, Image, Mat4, Model, Vec3, Vec4};
 use gouraud::corner_normals;
 use shaders::lighting::{Lighting, Quantized};
-use shaders::program::{Shader, Stored, render};
+use shaders::program::{Shader, render};
 use shaders::{METHODS, SHADERS, Scene, Target};
 use transforms::{projection, viewport};
 use verify::{SPHERE, method};
@@ -95,12 +95,12 @@ impl Shader for Holes {
 #[test]
 fn a_discarded_fragment_leaves_colour_and_depth_alone() {
     let mut target = Target::new(Image::new(16, 16, Format::Rgb));
-    assert_eq!(render(&mut Stored::new(Holes), 3, &mut target), 0);
+    assert_eq!(render(&Holes, 3, &mut target), 0);
     for (x, y, color) in target.image.pixels() {
         assert_eq!((color, target.depths.get(x, y)), (Color::RED, 1.0));
     }
     let mut empty = Target::new(Image::new(16, 16, Format::Rgb));
-    render(&mut Stored::new(Holes), 1, &mut empty);
+    render(&Holes, 1, &mut empty);
     assert!(empty.depths == Target::new(Image::new(16, 16, Format::Rgb)).depths);
 }
 

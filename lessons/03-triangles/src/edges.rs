@@ -49,7 +49,7 @@ pub fn fill(corners: [Vec2; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, 
     if bounds.max.cmplt(bounds.min).any() {
         return;
     }
-    let row = |Row { y, pixels, mut edges, right, per_area }: Row| {
+    let row = move |Row { y, pixels, mut edges, right, per_area }: Row| {
         for x in pixels {
             // What `i128` held exactly, sums of f64 may put just below 0.
             visit(x as i32, y, (edges * per_area).as_vec3().max(Vec3::ZERO));
