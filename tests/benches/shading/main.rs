@@ -35,8 +35,8 @@ fn asset(name: &str) -> std::path::PathBuf {
 
 /// The head and its texture.
 fn head() -> (Model, Image) {
-    let model = Model::read(&asset("sphere.obj"), BOTH).expect("the model is an asset");
-    let texture = Image::read(&asset("crate.png")).expect("the texture is an asset");
+    let model = Model::read(&asset("head.obj"), BOTH).expect("the model is an asset");
+    let texture = Image::read(&asset("head.tga")).expect("the texture is an asset");
     (model, texture)
 }
 
