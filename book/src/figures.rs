@@ -10,6 +10,7 @@ mod sheet;
 use std::panic::Location;
 use std::path::Path;
 
+use common::compare::side_by_side;
 use common::program::DEFAULT_MODEL;
 use common::{Attributes, Image, Model};
 
@@ -42,6 +43,14 @@ impl Figure {
 /// The lessons' model, with all that it has.
 fn model() -> anyhow::Result<Model> {
     Ok(Model::read(Path::new(DEFAULT_MODEL), Attributes { normals: true, uvs: true })?)
+}
+
+/// Pictures side by side, as wide as a page.
+fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
+    const WIDTH: u16 = 900;
+    let sheet = side_by_side(pictures).map_err(anyhow::Error::msg)?;
+    let height = sheet.height() * i32::from(WIDTH) / sheet.width().max(1);
+    Ok(Drawing::Pixels(sheet.scale(WIDTH, height as u16), 1))
 }
 
 /// What was drawn.

@@ -339,7 +339,7 @@ mod tests {
             assert!(text.contains(part), "{part}: {text}");
         }
         assert!(!text.contains("{{") && !text.contains('$'), "{text}");
-        assert_eq!(made.links, [Link { line: 17, target: "y.md#z".into() }]);
+        assert_eq!(made.links, [Link { line: 16, target: "y.md#z".into() }]);
         assert_eq!(made.figures, BTreeSet::from(["dot".into()]));
     }
 

@@ -1,12 +1,12 @@
 //! The first pages.
 
 use anyhow::Context;
-use common::compare::{Difference, side_by_side};
+use common::compare::Difference;
 use common::{Color, Format, IVec2, Image, Method, Vec3};
 use lines::METHODS;
 use triangles::{draw_model, flat_intensity};
 
-use super::{Drawing, Figure, model};
+use super::{Drawing, Figure, beside, model};
 
 pub(super) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -35,9 +35,7 @@ fn welcome() -> anyhow::Result<Drawing> {
         brightness(corners).map(|_| Color::random(n as u64))
     });
     draw_model(&model, &exact.run, &mut lit, |_, corners| brightness(corners).map(Color::gray));
-    let sheet = side_by_side(&[&wires, &random, &lit]);
-    let height = (i64::from(sheet.height()) * 900 / i64::from(sheet.width())) as u16;
-    Ok(Drawing::Pixels(sheet.scale(900, height), 1))
+    beside(&[&wires, &random, &lit])
 }
 
 fn compare() -> anyhow::Result<Drawing> {
@@ -50,6 +48,5 @@ fn compare() -> anyhow::Result<Drawing> {
     };
     let (a, b) = (draw("bresenham")?, draw("listing")?);
     let difference = Difference::between(&a, &b).picture(&a);
-    let sheet = side_by_side(&[&a, &b, &difference]);
-    Ok(Drawing::Pixels(sheet.scale(906, 300), 1))
+    beside(&[&a, &b, &difference])
 }
