@@ -27,7 +27,7 @@ use crate::markup::escaped;
 use crate::math::mathml;
 use crate::methods::TABLES;
 use crate::quote::Quote;
-use crate::values::{Table, shown};
+use crate::values::Table;
 
 /// A figure as a page needs it.
 pub(crate) struct Shown {
@@ -140,6 +140,12 @@ impl Writer<'_> {
                     elsewhere.push(range);
                 }
                 Event::Code(_) => elsewhere.push(range),
+                // Braces that do not match keep the parser from seeing a formula.
+                Event::Text(text) if text.contains('$') && !self.source[..range.start].ends_with('\\') => {
+                    let mark = self
+                        .fault(range.start, "a `$` begins or ends no formula; as a sign, write `\\$`".into());
+                    self.edits.push((range, mark));
+                }
                 Event::Start(Tag::Link { dest_url, .. }) => self.link(range.start, &dest_url),
                 Event::Start(Tag::Image { .. }) => {
                     let mark = self.fault(range.start, "an image: show a figure, {{figure NAME}}".into());
@@ -210,7 +216,7 @@ impl Writer<'_> {
     fn inserted(&self, words: &[&str]) -> anyhow::Result<String> {
         let charts = self.sources.chapters.join("charts");
         Ok(match words {
-            ["value", table, row @ .., column] => shown(Table::read(&charts, table)?.cell(row, column)?),
+            ["value", table, row @ .., column] => Table::read(&charts, table)?.cell(row, column)?.to_string(),
             ["ratio", table, row, over, column] => Table::read(&charts, table)?.ratio(row, over, column)?,
             ["results", table, columns @ ..] => {
                 let named = columns.iter().map(|column| column.split_once('='));
@@ -269,19 +275,21 @@ impl Writer<'_> {
         Ok(format!("<img src=\"figures/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\">"))
     }
 
-    /// A measured chart. Its words are those of its caption; the table beside it says the same in figures.
+    /// A measured chart, which leads to its file: on a telephone it is small.
     fn chart(&self, name: &str) -> Result<String, String> {
         let file = format!("charts/{name}.svg");
         if !self.sources.chapters.join(&file).is_file() {
             return Err(format!("there is no {file}: cargo run --release -p book -- charts"));
         }
-        Ok(format!(
-            "<a href=\"{file}\"><img src=\"{file}\" alt=\"Chart {name}: the caption says what it shows, the table of results has its figures.\"></a>"
-        ))
+        let table = Table::read(&self.sources.chapters.join("charts"), name);
+        let alt = escaped(&table.map_err(|error| format!("{error:#}"))?.in_words());
+        Ok(format!("<a href=\"{file}\"><img src=\"{file}\" alt=\"{alt}\" width=\"1000\" height=\"680\"></a>"))
     }
 
     /// The chapter with all edits made.
     fn finish(mut self) -> Page {
+        self.page.faults.sort();
+        self.page.faults.dedup();
         self.edits.sort_by_key(|(range, _)| (range.start, range.end));
         let mut at = 0;
         for (range, text) in &self.edits {
@@ -353,7 +361,8 @@ mod tests {
             ("```rust\n{{#include ../lib.rs:f since g}}\n```", "there is no anchor `g`"),
             ("```rust\nlet x;\n{{#include ../lib.rs:f}}\n```", "a quoting block holds one line"),
             ("{{#include ../lib.rs:f}}", "means nothing here"),
-            ("$\\frac{1}{$", ""),
+            ("$\\frac{1}{$", "begins or ends no formula"),
+            ("$\\nonsense$", "nonsense"),
             ("Text $$x$$", "must begin at the left margin"),
             ("{{figure none}} Caption.", "there is no figure `none`"),
             ("{{figure dot}}", "has no caption"),
@@ -378,7 +387,7 @@ mod tests {
 
     #[test]
     fn code_and_formulas_may_hold_braces_and_dollars() {
-        let source = "`{{x}}` costs `$1`.\n\n```rust\nformat!(\"{{}}\");\n```\n";
+        let source = "`{{x}}` costs `$1` or \\$2.\n\n```rust\nformat!(\"{{}}\");\n```\n";
         let made = page(source);
         assert_eq!((made.faults, made.markdown), (vec![], source.into()));
         assert_eq!(page("$\\frac{{a}}{b}$").faults, []);

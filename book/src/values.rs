@@ -62,6 +62,24 @@ impl Table {
         Ok(format!("{:.*}", digits as usize, (ratio * scale).round() / scale))
     }
 
+    /// What the table's chart shows, in words.
+    pub(crate) fn in_words(&self) -> String {
+        let mut methods: Vec<&str> =
+            self.rows.iter().filter_map(|row| row.first()).map(String::as_str).collect();
+        methods.dedup();
+        let Some(at) = self.columns.iter().position(|name| name == "frontier") else {
+            return format!(
+                "Chart: how the error of {} grows with the {}.",
+                methods.join(", "),
+                self.columns[1]
+            );
+        };
+        let best: Vec<&str> =
+            self.rows.iter().filter(|row| row[at] == "true").map(|row| row[0].as_str()).collect();
+        let (all, best) = (methods.join(", "), best.join(", "));
+        format!("Chart: speed against error of {all}. None is both faster and more accurate than {best}.")
+    }
+
     /// Columns of the table under other names, as Markdown.
     ///
     /// # Errors
@@ -74,18 +92,18 @@ impl Table {
         for row in &self.rows {
             let key = row.first().context("an empty row")?;
             let cells: anyhow::Result<Vec<String>> =
-                columns.iter().map(|column| Ok(shown(self.cell(&[key], column.0)?))).collect();
+                columns.iter().map(|column| Ok(shown(self.cell(&[key], column.0)?, column.0))).collect();
             lines.push(format!("| {} |", cells?.join(" | ")));
         }
         Ok(lines.join("\n"))
     }
 }
 
-/// A cell as readers like it: an infinite error is none of the figures.
-pub(crate) fn shown(cell: &str) -> String {
+/// A cell as readers like it.
+fn shown(cell: &str, column: &str) -> String {
     match cell {
         "inf" => "fails".into(),
-        "0" => "exact".into(),
+        "0" if column.starts_with("error") => "exact".into(),
         _ => cell.into(),
     }
 }
@@ -127,6 +145,19 @@ mod tests {
         }
         let missing = Table::read(Path::new("."), "99-none").err().unwrap().to_string();
         assert!(missing.contains("there is no table charts/99-none.csv"), "{missing}");
+    }
+
+    #[test]
+    fn a_chart_is_told_in_words() {
+        assert_eq!(table().in_words(), "Chart: how the error of a, b, c grows with the stress.");
+        let mut best = table();
+        best.columns[1] = "frontier".into();
+        best.rows[2][1] = "true".into();
+        assert!(
+            best.in_words().ends_with("None is both faster and more accurate than b."),
+            "{}",
+            best.in_words()
+        );
     }
 
     #[test]

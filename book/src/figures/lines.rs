@@ -193,8 +193,8 @@ fn visible() -> anyhow::Result<Drawing> {
     sheet.line(slope(-4.0), slope(4.0), BLUE, 4.0);
     sheet.dot(slope(-4.0), RED);
     sheet.text(at(0.0, 2.3), "the window", BLACK);
-    sheet.text_left_of(at(-4.3, -0.3), "the first step", RED);
-    sheet.text_left_of(at(-4.3, 0.5), "that can be seen:", RED);
+    sheet.text_left_of(at(-4.3, 0.9), "the first step", RED);
+    sheet.text_left_of(at(-4.3, -0.1), "that can be seen", RED);
     sheet.text(at(8.2, 2.0), "skipped", GREY);
     sheet.text(at(-8.6, -4.6), "skipped", GREY);
     sheet.finish()

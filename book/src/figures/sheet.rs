@@ -19,6 +19,8 @@ const WIDTH: f32 = 480.0;
 const LETTER: f32 = 16.0;
 /// Free border.
 const MARGIN: f32 = 14.0;
+/// No sheet is higher; what would be is made narrower instead.
+const HEIGHT: f32 = 430.0;
 
 /// A colour of the book.
 pub(crate) type Ink = &'static str;
@@ -55,7 +57,10 @@ pub(crate) struct Sheet {
 impl Sheet {
     /// An empty sheet that shows what lies between two corners.
     pub(crate) fn new(low: Vec2, high: Vec2) -> Self {
-        let scale = (WIDTH - 2.0 * MARGIN) / (high.x - low.x);
+        let size = high - low;
+        let scale = ((WIDTH - 2.0 * MARGIN) / size.x).min((HEIGHT - 2.0 * MARGIN) / size.y);
+        // What is narrow stands in the middle.
+        let low = low - Vec2::X * ((WIDTH - 2.0 * MARGIN) / scale - size.x) / 2.0;
         let height = ((high.y - low.y) * scale + 2.0 * MARGIN).ceil();
         let ground =
             Rectangle::new().set("width", WIDTH).set("height", height).set("rx", 8).set("fill", PAPER);
