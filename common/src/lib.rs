@@ -3,7 +3,7 @@
 //! | module | what is there |
 //! |---|---|
 //! | [`image`] | [`Image`], an 8-bit picture; [`Bounds`], a rectangle of pixels |
-//! | [`file`] | pictures to and from TGA and PNG, files written whole or not at all |
+//! | [`mod@file`] | pictures to and from TGA and PNG, files written whole or not at all |
 //! | [`color`] | [`Color`] |
 //! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |

@@ -1,14 +1,34 @@
-use camera::METHODS;
-use common::Image;
-use verify::{CRATE, SPHERE, assert_similar, draw, run};
+use ::camera::METHODS;
+use ::transforms::{place, projection, translate};
+use ::triangles::fill;
+use common::{Color, Format, Image, Vec3};
+use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, run};
+
+use crate::transforms::letter;
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
-/// A centre off the origin: `lookat` brings it to the middle, `listing` does not.
+/// A letter about a centre off the origin, from the side: `lookat` brings it to the middle, `listing` does not.
 #[test]
-fn every_method_looks_at_a_point() {
+fn every_method_looks_at_a_letter() {
+    let center = Vec3::new(7.0, 2.0, -3.0);
+    let eye = center + Vec3::new(-12.0, 3.0, 16.0);
     for method in METHODS {
-        let view = ["--eye", "2.7,1.7,3", "--center", "0.7,0.2,-1", "--method", method.name];
+        let view = (method.run)(eye, center, Vec3::Y).unwrap();
+        let all = translate(Vec3::new(20.5, 12.5, 0.0)) * projection(eye.distance(center)) * view;
+        let mut image = Image::new(41, 25, Format::Gray);
+        for corners in letter() {
+            let placed = corners.map(|corner| place(&all, corner + center).unwrap().truncate());
+            fill(placed, image.bounds(), |x, y, _| image.set(x, y, Color::WHITE));
+        }
+        assert_text(&format!("08-camera-letter-{}", method.name), &image);
+    }
+}
+
+#[test]
+fn every_method_draws_the_sphere() {
+    for method in METHODS {
+        let view = ["--eye", "1,1,3", "--center", "0.4,-0.2,0", "--method", method.name];
         let picture = draw("camera", &[&SCENE[..], &view].concat());
         assert_similar(&format!("08-camera-{}", method.name), &picture);
     }

@@ -6,7 +6,7 @@ use triangles::fill;
 use verify::{CRATE, SPHERE, assert_similar, assert_text, draw};
 
 /// The letter F in triangles, about the origin.
-fn letter() -> Vec<[Vec3; 3]> {
+pub(crate) fn letter() -> Vec<[Vec3; 3]> {
     let bar = |[x0, y0, x1, y1]: [f32; 4]| {
         let [a, b, c, d] = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec3::new(x, y, 0.0));
         [[a, b, c], [a, c, d]]

@@ -34,7 +34,8 @@ pub const CRATE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/crate.pn
 /// need is built already, and overflow is noticed.
 static PROGRAMS: LazyLock<BTreeMap<&str, PathBuf>> = LazyLock::new(|| {
     let build = |name, build: CargoBuild| {
-        let built = build.manifest_path("../Cargo.toml").run();
+        // Together with this package, so that they share its features and all that was built with them.
+        let built = build.arg("--package=verify").manifest_path("../Cargo.toml").run();
         (name, built.unwrap_or_else(|error| panic!("{name}: {error}")).path().to_path_buf())
     };
     let lesson = |name| build(name, CargoBuild::new().package(name).bin(name));

@@ -1,7 +1,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use checks::segment::{Report, largest_smooth, measure};
-use common::{Bounds, IVec2};
+use common::{Bounds, Color, IVec2};
 use lines::METHODS;
 use verify::{method, window};
 
@@ -418,5 +418,34 @@ fn the_integer_methods_overflow() {
         ("listing", i32::MAX - 3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3, 3, 4, 5, 6, 7, 7]),
     ] {
         assert_eq!(heights(name, length), expected, "{name}, {length} px");
+    }
+}
+
+/// How far off the last hundred pixels are, of many lines of one length and any slope: the median, the worst.
+/// ½ px is what rounding to nearest costs, 1 px what rounding down does; the rest has added up.
+#[test]
+fn rounding_adds_up() {
+    for (name, length, lines, expected) in [
+        ("transposed", 65_000, 1000, "0.99, 1.00 px"),
+        ("slope", 16_000, 1000, "1.28, 4.56 px"),
+        ("slope", 65_000, 1000, "11.33, 57.22 px"),
+        ("fraction", 65_000, 1000, "0.50, 0.50 px"),
+        ("fraction", 1_000_000, 60, "0.50, 0.53 px"),
+    ] {
+        let mut off: Vec<f64> = (0..lines)
+            .map(|n| {
+                let Color { r, g, b, .. } = Color::random(n);
+                let rise = i32::from_le_bytes([r, g, b, 0]) % (length + 1);
+                let mut pixels = Vec::new();
+                let (from, to) = (IVec2::ZERO, IVec2::new(length, rise));
+                (method(METHODS, name).visit)(from, to, Bounds::EVERYTHING, &mut |x, y, _| {
+                    pixels.push((x, y));
+                });
+                measure(from, to, &pixels[pixels.len() - 100..]).largest
+            })
+            .collect();
+        off.sort_by(f64::total_cmp);
+        let got = format!("{:.2}, {:.2} px", off[off.len() / 2], off[off.len() - 1]);
+        assert_eq!(got, expected, "{name}, {length} px");
     }
 }

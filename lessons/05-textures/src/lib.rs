@@ -107,7 +107,7 @@ pub fn interpolate([a, b, c]: [Vec2; 3], weights: Vec3) -> Vec2 {
 
 /// Draws a model whose colour at (u, v) is `color`, flat-shaded; what faces away from the light is left out.
 // ANCHOR: draw_textured
-fn draw_textured(
+pub fn draw_textured(
     model: &Model,
     light: Vec3,
     image: &mut Image,

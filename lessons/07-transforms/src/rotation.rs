@@ -45,7 +45,7 @@ pub fn rodrigues_f64(axis: DVec3, angle: f64) -> DMat3 {
     DMat3::from_cols_array(&rodrigues_columns(axis.to_array(), sin, cos))
 }
 
-/// (1 − c)·ΔΔᵀ + c·I + s·[Δ]×, column by column.
+/// (1 − c)·ΔΔᵀ + c·I + s·\[Δ\]×, column by column.
 // ANCHOR: rodrigues
 fn rodrigues_columns<T>([x, y, z]: [T; 3], s: T, c: T) -> [T; 9]
 where

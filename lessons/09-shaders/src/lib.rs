@@ -69,6 +69,13 @@ pub struct Look<'a, S, L> {
     lighting: L,
 }
 
+impl<'a, S, L> Look<'a, S, L> {
+    /// One of each.
+    pub fn new(scene: &'a Scene, source: S, lighting: L) -> Self {
+        Self { scene, source, lighting }
+    }
+}
+
 impl<S: Source, L: Lighting> Shader for Look<'_, S, L> {
     type Constant = L::Constant;
     type Varying = (S::Varying, L::Varying);
@@ -107,7 +114,7 @@ pub struct Rendering {
 macro_rules! look {
     ($source:ident, $lighting:ident, $needs:expr) => {{
         fn program<'a>(scene: &'a Scene) -> impl Program + 'a {
-            Stored::new(Look { scene, source: $source::new(scene), lighting: $lighting::new(scene) })
+            Stored::new(Look::new(scene, $source::new(scene), $lighting::new(scene)))
         }
         Rendering {
             needs: $needs,

@@ -12,10 +12,14 @@
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
-//! Nothing here calls a lesson, and nothing is computed the way the lessons compute it.
+//! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
+//! compared by `common`, as under `--compare`.
+//!
+//! [`missions`] is apart: what students write, compared with what the lessons do.
 
 pub mod coverage;
 pub mod matrix;
+pub mod missions;
 pub mod picture;
 pub mod segment;
 pub mod sphere;
