@@ -6,6 +6,7 @@
 mod front;
 mod lines;
 mod sheet;
+mod wrong;
 
 use std::panic::Location;
 use std::path::Path;
@@ -18,7 +19,7 @@ use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [front::FIGURES, lines::FIGURES].into_iter().flatten()
+    [front::FIGURES, lines::FIGURES, wrong::FIGURES].into_iter().flatten()
 }
 
 /// One figure.
