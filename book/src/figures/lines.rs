@@ -52,6 +52,24 @@ pub(super) const FIGURES: &[Figure] = &[
         smooth,
     ),
     Figure::new(
+        "lines-ties",
+        "A line of slope one half. In every second column it passes exactly between two pixels; the lower one is \
+         filled, the upper one, as near, is outlined.",
+        ties,
+    ),
+    Figure::new(
+        "lines-drift",
+        "The last twelve columns of a segment of 65,000 pixels. The pixels of the method that adds a rounded slope \
+         run parallel to the line, many rows away from it.",
+        drift,
+    ),
+    Figure::new(
+        "lines-diamond",
+        "A row of pixels, each with a diamond about its centre. A line crosses some diamonds and misses others; the \
+         pixels of those that it leaves are filled.",
+        diamond,
+    ),
+    Figure::new(
         "lines-visible",
         "A long line crosses a small window far from its ends. Only the part inside the window is drawn; the \
          walk begins where the line enters.",
@@ -150,7 +168,7 @@ fn error() -> anyhow::Result<Drawing> {
         let to = Vec2::new(from.x, 0.5 + 0.4 * x as f32);
         sheet.line(from, to, if to.y > from.y { RED } else { GREEN }, 5.0);
         sheet.dot(from, BLUE);
-        let words = format!("{:+.1}", to.y - from.y);
+        let words = format!("{:+.1}", to.y - from.y).replace('-', "−");
         sheet.text(Vec2::new(from.x, y as f32 - 0.22), &words, BLACK);
     }
     sheet.finish()
@@ -197,5 +215,82 @@ fn visible() -> anyhow::Result<Drawing> {
     sheet.text_left_of(at(-4.3, -0.1), "that can be seen", RED);
     sheet.text(at(8.2, 2.0), "skipped", GREY);
     sheet.text(at(-8.6, -4.6), "skipped", GREY);
+    sheet.finish()
+}
+
+fn ties() -> anyhow::Result<Drawing> {
+    let ends = [IVec2::new(0, 0), IVec2::new(8, 4)];
+    let mut sheet = grid(ends);
+    for (x, y, _) in pixels("bresenham", ends)? {
+        sheet.pixel(x, y, SKY);
+        if x % 2 == 1 {
+            let [low, high] = [IVec2::new(x, y + 1), IVec2::new(x + 1, y + 2)].map(|corner| corner.as_vec2());
+            let inset = 0.06;
+            let [low, high] = [low + inset, high - inset];
+            sheet.polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)], "none", RED);
+        }
+    }
+    segment(&mut sheet, ends);
+    sheet.finish()
+}
+
+fn drift() -> anyhow::Result<Drawing> {
+    const LENGTH: i32 = 65_000;
+    const COLUMNS: i32 = 12;
+    let ends = [IVec2::new(0, 0), IVec2::new(LENGTH, 24_050)];
+    let shown = |name: &str| -> anyhow::Result<Vec<IVec2>> {
+        let all = pixels(name, ends)?.into_iter().map(|(x, y, _)| IVec2::new(x, y));
+        Ok(all.filter(|pixel| pixel.x > LENGTH - COLUMNS).collect())
+    };
+    let (right, wrong) = (shown("bresenham")?, shown("slope")?);
+    let both = || right.iter().chain(&wrong);
+    let low = both().copied().reduce(IVec2::min).unwrap_or_default() - 1;
+    let high = both().copied().reduce(IVec2::max).unwrap_or_default() + 2;
+    // Counted from the corner: f32 has no room for halves of pixels out here.
+    let mut sheet = Sheet::new(Vec2::ZERO, (high - low).as_vec2());
+    sheet.grid((0, 0), (high - low).into());
+    for (list, ink) in [(&right, SKY), (&wrong, AMBER)] {
+        for pixel in list {
+            sheet.pixel(pixel.x - low.x, pixel.y - low.y, ink);
+        }
+    }
+    let last = ends[1] - low;
+    let slope = 24_050.0 / LENGTH as f32;
+    let end = center(last);
+    sheet.line(end - Vec2::new(COLUMNS as f32 - 1.0, slope * (COLUMNS as f32 - 1.0)), end, BLACK, 2.2);
+    sheet.dot(end, BLACK);
+    let middle = (high - low).x as f32 / 2.0;
+    let height = |list: &[IVec2]| list.iter().map(|pixel| pixel.y - low.y).max().unwrap_or_default() as f32;
+    sheet.text(Vec2::new(middle - 2.5, height(&right) + 0.6), "bresenham", BLUE);
+    sheet.text(Vec2::new(middle - 2.5, height(&wrong) + 0.6), "slope", RED);
+    sheet.finish()
+}
+
+fn diamond() -> anyhow::Result<Drawing> {
+    let mut sheet = Sheet::new(Vec2::new(0.0, 0.0), Vec2::new(6.0, 3.0));
+    let (from, to) = (Vec2::new(0.55, 0.55), Vec2::new(5.45, 2.45));
+    sheet.grid((0, 0), (6, 3));
+    let pixels = (0..3).flat_map(|y| (0..6).map(move |x| IVec2::new(x, y)));
+    for pixel in pixels {
+        let middle = center(pixel);
+        // The shares of the line at which it enters and leaves the diamond, by its four sides.
+        let sides = [Vec2::new(1.0, 1.0), Vec2::new(1.0, -1.0), Vec2::new(-1.0, 1.0), Vec2::new(-1.0, -1.0)];
+        let (mut enter, mut leave) = (f32::NEG_INFINITY, f32::INFINITY);
+        for side in sides {
+            let (at, by) = (side.dot(from - middle) - 0.5, side.dot(to - from));
+            let share = -at / by;
+            if by < 0.0 { enter = enter.max(share) } else { leave = leave.min(share) }
+        }
+        let exits = enter < leave && leave > 0.0 && leave <= 1.0;
+        if exits {
+            sheet.pixel(pixel.x, pixel.y, SKY);
+        }
+        let corner = |x: f32, y: f32| middle + Vec2::new(x, y) / 2.0;
+        let corners = [corner(1.0, 0.0), corner(0.0, 1.0), corner(-1.0, 0.0), corner(0.0, -1.0)];
+        sheet.polygon(&corners, "none", if exits { BLUE } else { GREY });
+    }
+    sheet.line(from, to, BLACK, 2.4);
+    sheet.dot(from, BLACK);
+    sheet.dot(to, BLACK);
     sheet.finish()
 }
