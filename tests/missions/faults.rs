@@ -309,11 +309,26 @@ fn lesson_8() {
         },
         "the centre is added",
     );
+    lookat(
+        |eye, center, up| {
+            let rows = ::camera::basis(eye, center, up)?;
+            Some(Mat4::from_mat3(rows) * ::transforms::translate(-eye))
+        },
+        "the eye is subtracted",
+    );
     let basis = |basis, words| {
         recognised(&camera::MISSION, &camera::Camera { basis, ..reference }, "basis", words);
     };
     basis(|eye, center, up| Some(::camera::basis(eye, center, up)?.transpose()), "stands in columns");
     basis(|eye, center, up| ::camera::basis(center, eye, up), "looks away");
+    basis(
+        |eye, center, up| {
+            let z = (eye - center).normalize();
+            let x = up.cross(z);
+            Some(common::Mat3::from_cols(x, z.cross(x), z).transpose())
+        },
+        "not 1 long",
+    );
     basis(
         |eye, center, up| {
             let z = (eye - center).normalize();

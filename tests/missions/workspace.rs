@@ -26,7 +26,7 @@ const SOLUTIONS: [(&str, &str, &[&str]); 9] = [
     (
         "04-zbuffer",
         "use common::{Image, Vec3};\nuse triangles::fill;\npub use zbuffer::{DepthBuffer, Surface, to_screen};",
-        &["pub fn fill_nearest", "pub fn z_f32", "fn draw_nearest"],
+        &["pub fn depth_at", "pub fn fill_nearest", "pub fn z_f32", "fn draw_nearest"],
     ),
     (
         "05-textures",
@@ -96,10 +96,10 @@ impl Copy {
         self.root.join("lessons").join(lesson).join("mission").join(file)
     }
 
-    fn cargo(&self, command: &str, arguments: &[&str]) -> Output {
+    fn cargo(&self, command: &str, lessons: &[&str], arguments: &[&str]) -> Output {
         Command::new(env!("CARGO"))
             .arg(command)
-            .args(LESSONS.iter().flat_map(|lesson| ["--package".into(), format!("my-{}", name(lesson))]))
+            .args(lessons.iter().flat_map(|lesson| ["--package".into(), format!("my-{}", name(lesson))]))
             .args(arguments)
             .current_dir(&self.root)
             .env("CARGO_TARGET_DIR", self.root.join("target"))
@@ -166,7 +166,7 @@ fn starters_fail_kindly_and_solutions_pass() {
     let copy = Copy::new();
 
     // Untouched.
-    let built = copy.cargo("build", &[]);
+    let built = copy.cargo("build", &LESSONS, &[]);
     let said = text(&built.stderr);
     assert!(built.status.success() && !said.contains("warning"), "{said}");
     for lesson in LESSONS {
@@ -179,7 +179,7 @@ fn starters_fail_kindly_and_solutions_pass() {
         assert!(kind, "{lesson}: {said}");
     }
     assert!(!copy.root.join("out").exists(), "nothing is drawn yet");
-    let tested = text(&copy.cargo("test", &["--no-fail-fast"]).stdout);
+    let tested = text(&copy.cargo("test", &LESSONS, &["--no-fail-fast"]).stdout);
     let verdicts: Vec<&str> = tested.lines().filter(|line| line.starts_with("test ")).collect();
     let failed = verdicts.iter().filter(|line| line.contains("FAILED") && line.contains("not written yet"));
     let results = verdicts.iter().filter(|line| line.starts_with("test result: FAILED. 0 passed"));
@@ -193,7 +193,7 @@ fn starters_fail_kindly_and_solutions_pass() {
         let own = format!("{} = {{ path = \"..\" }}\n", name(lesson));
         copy.write(lesson, "Cargo.toml", &on_own_lessons(&copy.read(lesson, "Cargo.toml"), &own));
     }
-    let built = copy.cargo("build", &[]);
+    let built = copy.cargo("build", &LESSONS, &[]);
     assert!(built.status.success(), "{}", text(&built.stderr));
     for lesson in LESSONS {
         let ran = copy.run(lesson);
@@ -202,10 +202,34 @@ fn starters_fail_kindly_and_solutions_pass() {
         assert!(copy.root.join(format!("out/my-{lesson}.png")).exists());
     }
 
+    // Whatever the student's code does, there is a verdict.
+    let solution = copy.read("01-lines", "src/lib.rs");
+    for (fault, points, said) in [
+        ("loop {}", 0, "ran out of time"),
+        ("std::process::abort()", 0, "crashed: the program ended"),
+        ("std::process::exit(0)", 0, "crashed: the program ended"),
+        ("if image.width() == 64 { [0][a.x as usize]; }", 2, "lib.rs:4: index out of bounds"),
+        ("println!(\"right\"); lines::line(a, b, image, color)", 10, "\nright  picture "),
+    ] {
+        let code = format!(
+            "#![allow(unused)]\nuse common::{{Color, IVec2, Image}};\n\
+             pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {{\n{fault};\n\
+             lines::line(a, b, image, color) }}"
+        );
+        copy.write("01-lines", "src/lib.rs", &code);
+        assert!(copy.cargo("build", &["01-lines"], &[]).status.success(), "{fault}");
+        let told = text(&copy.run("01-lines").stdout);
+        assert!(
+            told.contains(said) && told.contains(&format!(": {points} of 10 points\n")),
+            "{fault}: {told}"
+        );
+    }
+    copy.write("01-lines", "src/lib.rs", &solution);
+
     // They are built on each other: what is broken in lesson 4 is broken in 5 and 6, and not in 3 or 7.
     let broken = copy.read("04-zbuffer", "src/lib.rs").replace("depth > depths.get", "depth < depths.get");
     copy.write("04-zbuffer", "src/lib.rs", &broken);
-    assert!(copy.cargo("build", &[]).status.success());
+    assert!(copy.cargo("build", &LESSONS, &[]).status.success());
     let passing: Vec<&str> = LESSONS.into_iter().filter(|lesson| copy.run(lesson).status.success()).collect();
     assert_eq!(
         passing,

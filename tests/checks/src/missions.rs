@@ -9,7 +9,7 @@
 //! 2. [`Mission::key`] does them with the reference and keeps the results as [`Sheet`]s;
 //! 3. [`Sheet::judge`] compares the two and knows nothing of the functions.
 //!
-//! [`run`](program::run) is a student's program, which does all three.
+//! [`run`] is a student's program, which does all three.
 
 mod causes;
 pub mod judge;

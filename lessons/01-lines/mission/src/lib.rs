@@ -1,6 +1,6 @@
 //! Mission 1: the pixels of a line segment.
 //!
-//! Write the body of [`line`], then see what is right: `cargo run -p my-lines`.
+//! Write the body of [`line()`], then see what is right: `cargo run -p my-lines`.
 //!
 //! `image.set(x, y, color)` colours a pixel; outside the picture it does nothing. The origin is bottom-left, y
 //! points up. Coordinates are whole pixels: `a.x`, `a.y`, `b.x`, `b.y` are `i32`.
@@ -18,7 +18,7 @@ use common::{Color, IVec2, Image};
 pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {
     let _ = (a, b, image, color);
     todo!(
-        "walk along the longer side, one pixel a step, and keep the error in whole numbers: add 2·rise a step, \
-         and once it is more than the length, move across by one and take 2·length off"
+        "walk along the longer side, one pixel a step, and keep the error in whole numbers: add 2·rise a \
+         step, and once it is more than the length, move across by one and take 2·length off"
     );
 }

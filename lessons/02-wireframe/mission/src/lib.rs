@@ -16,7 +16,8 @@ use common::{Color, IVec2, Image, Model, Vec3};
 pub fn to_pixel(point: Vec3, image: &Image) -> IVec2 {
     let _ = (point, image);
     todo!(
-        "stretch x and y from [−1, 1] to the picture's size and cut off with floor(), not with `as i32` alone"
+        "stretch x and y from [−1, 1] to the picture's size and cut off with floor(), not with `as i32` \
+         alone"
     );
 }
 
@@ -24,6 +25,7 @@ pub fn to_pixel(point: Vec3, image: &Image) -> IVec2 {
 pub fn wireframe(model: &Model, image: &mut Image, color: Color) {
     let _ = (model, image, color);
     todo!(
-        "turn each triangle's corners into pixels and draw three lines between them, the last one back to the first"
+        "turn each triangle's corners into pixels and draw three lines between them, the last one back to \
+         the first"
     );
 }

@@ -22,7 +22,8 @@ pub use triangles::to_screen;
 pub fn fill(corners: [Vec2; 3], bounds: Bounds, visit: impl FnMut(i32, i32, Vec3)) {
     let _ = (corners, bounds, visit);
     todo!(
-        "for each pixel of the corners' bounding box, cut down to the bounds, compute the weights and visit it if none is below 0"
+        "for each pixel of the corners' bounding box, cut down to the bounds, compute the weights and visit \
+         it if none is below 0"
     );
 }
 
@@ -34,6 +35,7 @@ pub fn fill(corners: [Vec2; 3], bounds: Bounds, visit: impl FnMut(i32, i32, Vec3
 pub fn flat_intensity([a, b, c]: [Vec3; 3], light: Vec3) -> f32 {
     let _ = (a, b, c, light);
     todo!(
-        "the normal is along the cross product of two sides, in which order? make it 1 long; the cosine is a dot product"
+        "the normal is along the cross product of two sides, in which order? make it 1 long; the cosine is \
+         a dot product"
     );
 }

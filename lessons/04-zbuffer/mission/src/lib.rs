@@ -25,7 +25,8 @@ pub fn fill_nearest<D: Copy + PartialOrd>(
 ) {
     let _ = (corners, depths, store, visit);
     todo!(
-        "fill the triangle; at each pixel the depth is the sum of the corners' z times their weights: compare, keep, visit"
+        "fill the triangle; at each pixel the depth is the sum of the corners' z times their weights: \
+         compare, keep, visit"
     );
 }
 
@@ -33,6 +34,7 @@ pub fn fill_nearest<D: Copy + PartialOrd>(
 pub fn z_f32(surfaces: &[Surface], image: &mut Image) -> DepthBuffer<f32> {
     let _ = (surfaces, image);
     todo!(
-        "make a DepthBuffer::new(image, …) that holds what is farther than anything, and fill_nearest() each surface in its colour"
+        "make a DepthBuffer::new(image, …) that holds what is farther than anything, and fill_nearest() \
+         each surface in its colour"
     );
 }

@@ -1,6 +1,6 @@
 //! Mission 6: smooth shading.
 //!
-//! Write the bodies of [`intensities`] and [`gouraud`], then see what is right: `cargo run -p my-gouraud`.
+//! Write the bodies of [`intensities`] and [`gouraud()`], then see what is right: `cargo run -p my-gouraud`.
 //!
 //! From below come [`textures::texel`], [`textures::interpolate`], [`zbuffer::DepthBuffer`] and
 //! [`zbuffer::fill_nearest`].
@@ -25,6 +25,7 @@ pub fn intensities(normals: [Vec3; 3], light: Vec3) -> Vec3 {
 pub fn gouraud(scene: &Scene, image: &mut Image, place: impl Fn(Vec3) -> Option<Vec3>) -> Drawn {
     let _ = (scene, image, place);
     todo!(
-        "as in lesson 5, but with an intensity at each corner: interpolate it by the weights, and clamp it at 0 only then"
+        "as in lesson 5, but with an intensity at each corner: interpolate it by the weights, and clamp it \
+         at 0 only then"
     );
 }

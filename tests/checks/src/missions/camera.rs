@@ -5,7 +5,7 @@ use fastrand::Rng;
 use gouraud::{Scene, corner_normals};
 use transforms::{place, projection, viewport};
 
-use super::causes::{picture_and, transposed};
+use super::causes::{picture_and, rows, transposed};
 use super::scenery::{LIGHT, MODEL, SIDE, TEXTURE, canvas, direction, point};
 use super::{Cause, Check, Mission, Precision, Raw, Task};
 
@@ -36,6 +36,17 @@ pub const MISSION: Mission<Camera> = Mission {
                         explains: |asked, got| asked.becomes(got, transposed),
                     },
                     Cause {
+                        name: "not 1 long: a cross product is as long as the sine of the angle, so normalize",
+                        explains: |asked, got| {
+                            asked.mended(got, |raw| {
+                                rows(raw, |row| {
+                                    let length = row.iter().map(|n| n * n).sum::<f32>().sqrt();
+                                    row.iter_mut().for_each(|n| *n /= length);
+                                })
+                            })
+                        },
+                    },
+                    Cause {
                         name: "it is mirrored: x' is up × z', not z' × up",
                         explains: |asked, got| asked.becomes(got, |raw| signs(raw, [-1.0, 1.0, 1.0])),
                     },
@@ -63,7 +74,7 @@ pub const MISSION: Mission<Camera> = Mission {
             points: 2,
             tasks: |rng| views(rng, true).map(|view| view_of(&view)).collect(),
             precision: Precision::NUMBERS,
-            causes: Vec::new,
+            causes: || vec![EYE],
         },
         Check {
             name: "centre",
@@ -73,6 +84,7 @@ pub const MISSION: Mission<Camera> = Mission {
             precision: Precision::NUMBERS,
             causes: || {
                 vec![
+                    EYE,
                     Cause {
                         name: "the centre is subtracted after turning: subtract it first, R·(P − C)",
                         explains: |asked, got| asked.becomes(got, |raw| moved(raw, |m, t| m.transpose() * t)),
@@ -117,6 +129,21 @@ pub const MISSION: Mission<Camera> = Mission {
     ],
 };
 
+const EYE: Cause = Cause {
+    name: "the eye is subtracted: here the centre becomes the origin, and the eye stands at (0, 0, D)",
+    // It moves everything by D along z', so that one entry is wrong and no other.
+    explains: |asked, got| match &asked.expected {
+        Raw::Numbers { values, .. } => asked.mended(got, |raw| match raw {
+            Raw::Numbers { columns: 4, values: got } if got.len() == 16 && got[11] < values[11] => {
+                let values = (0..16).map(|n| if n == 11 { values[n] } else { got[n] });
+                Raw::Numbers { columns: 4, values: values.collect() }
+            }
+            _ => raw.clone(),
+        }),
+        _ => false,
+    },
+};
+
 /// Eye, centre, up.
 type View = [Vec3; 3];
 
@@ -157,7 +184,7 @@ fn picture(student: &Camera) -> Raw {
     let mut image = canvas(SIDE, SIDE);
     let size = image.size();
     let view = (student.lookat)(eye, center, Vec3::Y).unwrap_or(Mat4::NAN);
-    let all = viewport(size.x, size.y, 0.4) * projection(eye.distance(center)) * view;
+    let all = viewport(size.x, size.y, 0.3) * projection(eye.distance(center)) * view;
     let scene = Scene { model: &MODEL, normals: corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
     gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
     Raw::Picture(image)

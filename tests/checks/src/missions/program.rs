@@ -15,11 +15,12 @@ use std::time::{Duration, Instant, SystemTime};
 use anyhow::{Context, bail, ensure};
 use common::compare::{Difference, side_by_side};
 use common::program::{print, tell};
-use common::{Color, Format, Image, preview};
+use common::{Color, Format, IVec2, Image, preview};
 
 use super::judge::{Finding, Sheet, Verdict};
 use super::raw::{Answer, Raw};
 use super::{LESSONS, Mission, SEED};
+use crate::picture::distance;
 
 /// How long a task may take. The references need less than a tenth of it on a slow machine.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -233,41 +234,39 @@ fn said(findings: &[Finding]) -> String {
     findings.iter().map(Finding::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// The picture to look at, and what it shows: the first one that is wrong, or else the first one.
+/// The picture to look at, and what it shows: the first one that is wrong, or else that of the lesson.
 fn comparison(sheets: &[Sheet], answers: &[Answer], verdicts: &[Verdict]) -> Option<(String, Image)> {
-    let questions = sheets.iter().zip(verdicts).flat_map(|(sheet, verdict)| {
-        sheet.questions.iter().enumerate().map(move |(n, question)| {
+    let asked = sheets.iter().zip(verdicts).flat_map(|(sheet, verdict)| {
+        (sheet.questions.iter().enumerate()).map(move |(n, question)| {
             let wrong = verdict.wrong.iter().any(|wrong| wrong.question == n);
             (sheet.name, question, wrong)
         })
     });
-    let mut pictures = questions.zip(answers).filter_map(|((name, question, wrong), answer)| {
-        let expected = image(&question.expected, &question.expected)?;
-        let black = Image::new(expected.width() as u16, expected.height() as u16, Format::Rgb);
-        let got = match answer {
-            Answer::Raw(raw) => image(raw, &question.expected)?,
-            _ => black,
-        };
-        Some((
-            format!("{name}: {}", question.input),
-            expected,
-            got,
-            question.precision.tolerance as u8,
-            wrong,
-        ))
-    });
-    let first = pictures.next()?;
-    let (title, expected, got, tolerance, _) =
-        if first.4 { first } else { pictures.find(|picture| picture.4).unwrap_or(first) };
-    let mut off = Difference::between(&expected, &got);
-    let near = |at: &common::IVec2| {
+    let pictures: Vec<_> = asked
+        .zip(answers)
+        .filter_map(|((name, question, wrong), answer)| {
+            let expected = image(&question.expected, &question.expected)?;
+            let got = match answer {
+                Answer::Raw(raw) => image(raw, &question.expected)?,
+                _ => Image::new(expected.width() as u16, expected.height() as u16, Format::Rgb),
+            };
+            Some((name, question, wrong, expected, got))
+        })
+        .collect();
+    let wrong = pictures.iter().find(|&&(_, _, wrong, ..)| wrong);
+    let (name, question, _, expected, got) =
+        wrong.or_else(|| pictures.iter().find(|&&(name, ..)| name == "picture"))?;
+    let mut off = Difference::between(expected, got);
+    let near = |at: &IVec2| {
         let colors = (expected.get(at.x, at.y), got.get(at.x, at.y));
-        matches!(colors, (Some(a), Some(b)) if crate::picture::distance(a, b) <= tolerance)
+        let tolerance = question.precision.tolerance as u8;
+        matches!(colors, (Some(a), Some(b)) if distance(a, b) <= tolerance)
     };
     for list in [&mut off.missing, &mut off.extra, &mut off.recolored] {
         list.retain(|at| !near(at));
     }
-    Some((title, side_by_side(&[&expected, &got, &off.picture(&expected)]).ok()?))
+    let sheet = side_by_side(&[expected, got, &off.picture(expected)]).ok()?;
+    Some((format!("{name}: {}", question.input), sheet))
 }
 
 /// A result as a picture, if it is one; depths in grey, as far as they lie between those expected.

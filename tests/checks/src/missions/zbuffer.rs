@@ -59,7 +59,7 @@ pub const MISSION: Mission<Zbuffer> = Mission {
                         },
                     },
                     Cause {
-                        name: "no depth is kept: set() it in the buffer when the pixel is drawn",
+                        name: "the buffer stays empty: set() the depth of each pixel that is drawn",
                         explains: |asked, got| asked.becomes(got, |raw| change(raw, |_| f32::NEG_INFINITY)),
                     },
                 ]
