@@ -85,7 +85,7 @@ fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fau
 
     let mut faults = unlisted(&chapters, &made)?;
     let pages = read_pages(out, &made)?;
-    for (path, page) in made.iter_mut() {
+    for (path, page) in &mut made {
         faults.append(&mut page.faults);
         faults.extend(broken_links(path, &page.links, &pages, &chapters));
         faults.extend(leftovers(path, &pages[&path.with_extension("html")]));

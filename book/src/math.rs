@@ -1,12 +1,12 @@
-//! Formulas: LaTeX in the source, MathML in the page, which browsers lay out without a script.
+//! Formulas: `LaTeX` in the source, `MathML` in the page, which browsers lay out without a script.
 
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, ParserError, RenderConfig, Storage, push_mathml};
 
-/// A formula as MathML, on a line of its own if `display`. It can stand anywhere in Markdown.
+/// A formula as `MathML`, on a line of its own if `display`. It can stand anywhere in Markdown.
 ///
 /// # Errors
-/// What LaTeX cannot be read, in one line.
+/// What cannot be read, in one line.
 pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
     let storage = Storage::new();
     let events: Result<Vec<_>, _> = Parser::new(latex, &storage).collect();

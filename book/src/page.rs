@@ -27,7 +27,7 @@ use crate::markup::escaped;
 use crate::math::mathml;
 use crate::methods::TABLES;
 use crate::quote::Quote;
-use crate::values::Table;
+use crate::values::{Table, spelled};
 
 /// A figure as a page needs it.
 pub(crate) struct Shown {
@@ -216,7 +216,7 @@ impl Writer<'_> {
     fn inserted(&self, words: &[&str]) -> anyhow::Result<String> {
         let charts = self.sources.chapters.join("charts");
         Ok(match words {
-            ["value", table, row @ .., column] => Table::read(&charts, table)?.cell(row, column)?.to_string(),
+            ["value", table, row @ .., column] => spelled(Table::read(&charts, table)?.cell(row, column)?),
             ["ratio", table, row, over, column] => Table::read(&charts, table)?.ratio(row, over, column)?,
             ["results", table, columns @ ..] => {
                 let named = columns.iter().map(|column| column.split_once('='));

@@ -99,13 +99,23 @@ impl Table {
     }
 }
 
-/// A cell as readers like it.
+/// A cell of a table as readers like it.
 fn shown(cell: &str, column: &str) -> String {
     match cell {
         "inf" => "fails".into(),
         "0" if column.starts_with("error") => "exact".into(),
-        _ => cell.into(),
+        _ => spelled(cell),
     }
+}
+
+/// A number with its power of ten written out: 8e-4 as 8·10⁻⁴. Other words stay.
+pub(crate) fn spelled(cell: &str) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let Some((digits, power)) = cell.split_once('e').filter(|_| cell.parse::<f64>().is_ok()) else {
+        return cell.into();
+    };
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
+    format!("{digits}·10{}", power.chars().map(raised).collect::<String>())
 }
 
 #[cfg(test)]
@@ -158,6 +168,12 @@ mod tests {
             "{}",
             best.in_words()
         );
+    }
+
+    #[test]
+    fn powers_of_ten_are_spelled_out() {
+        let cells = ["8e-4", "1.2e10", "0.5", "lines", "inf"].map(spelled);
+        assert_eq!(cells, ["8·10⁻⁴", "1.2·10¹⁰", "0.5", "lines", "inf"]);
     }
 
     #[test]

@@ -224,7 +224,7 @@ fn ties() -> anyhow::Result<Drawing> {
     for (x, y, _) in pixels("bresenham", ends)? {
         sheet.pixel(x, y, SKY);
         if x % 2 == 1 {
-            let [low, high] = [IVec2::new(x, y + 1), IVec2::new(x + 1, y + 2)].map(|corner| corner.as_vec2());
+            let [low, high] = [IVec2::new(x, y + 1), IVec2::new(x + 1, y + 2)].map(IVec2::as_vec2);
             let inset = 0.06;
             let [low, high] = [low + inset, high - inset];
             sheet.polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)], "none", RED);

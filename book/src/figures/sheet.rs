@@ -218,7 +218,8 @@ impl Sheet {
                 .set("text-anchor", anchor)
                 .set("fill", ink)
                 .set("stroke", PAPER)
-                .set("stroke-width", 4)
+                .set("stroke-width", 3)
+                .set("stroke-opacity", 0.7)
                 .set("paint-order", "stroke"),
         );
     }
