@@ -1,12 +1,15 @@
 //! Makes what the README and the book show.
 //!
 //! ```text
-//! cargo run -p book -- pictures     each lesson's picture, into book/chapters/pictures/
+//! cargo run -p book -- pictures           each lesson's picture, into book/chapters/pictures/
+//! cargo run --release -p book -- charts   speed against accuracy, into book/chapters/charts/
 //! ```
 
+mod charts;
 mod pictures;
 
 use std::path::Path;
+use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
@@ -22,12 +25,22 @@ struct Arguments {
 enum Make {
     /// Draw each lesson's picture by its own program, into book/chapters/pictures/
     Pictures,
+    /// Measure every method and chart its speed against its accuracy, into book/chapters/charts/
+    Charts(charts::Flags),
 }
 
-fn main() -> anyhow::Result<()> {
-    match Arguments::parse().make {
+fn main() -> ExitCode {
+    let made = match Arguments::parse().make {
         Make::Pictures => {
             pictures::draw_all(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/pictures")))
+        }
+        Make::Charts(flags) => charts::run(&flags),
+    };
+    match made {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
         }
     }
 }

@@ -117,6 +117,54 @@ pub fn largest_smooth(a: IVec2, b: IVec2, pixels: &[(i32, i32, u8)]) -> f64 {
     if whole { largest as f64 / 255.0 / axes.length().max(1) as f64 } else { f64::INFINITY }
 }
 
+/// How far drawn pixels and the ideal line are apart, in px: the largest distance and the mean over the steps.
+///
+/// The distance at a step is that of its farthest pixel or, where pixels are covered in part, of their centre
+/// of mass. A step without a pixel is as far away as the nearest step that has one; where nothing is drawn, all
+/// are infinitely far. Pixels beyond the ends count for the largest distance only.
+#[must_use]
+pub fn distances(a: IVec2, b: IVec2, pixels: &[(i32, i32, u8)]) -> (f64, f64) {
+    let axes = Axes::new(a, b);
+    let (length, unit) = (axes.length(), axes.length().max(1) as f64);
+    let mut steps: Vec<Option<f64>> = vec![None; length as usize + 1];
+    let mut shared: BTreeMap<i128, (i128, i128)> = BTreeMap::new();
+    let mut largest = 0.0_f64;
+    for &(x, y, coverage) in pixels {
+        let [major, minor] = if axes.steep { [y, x] } else { [x, y] }.map(i128::from);
+        if coverage < 255 {
+            let (total, moment) = shared.entry(major).or_default();
+            *total += i128::from(coverage);
+            *moment += minor * i128::from(coverage);
+            continue;
+        }
+        let (step, off) = axes.locate(major, minor, 1);
+        let off = off as f64 / unit;
+        match usize::try_from(step).ok().and_then(|step| steps.get_mut(step)) {
+            Some(distance) => *distance = Some(distance.map_or(off, |other| other.max(off))),
+            None => largest = largest.max((step - length).max(-step) as f64),
+        }
+    }
+    for (major, (total, moment)) in shared {
+        let (step, off) = axes.locate(major, moment, total);
+        if let Some(distance) = usize::try_from(step).ok().and_then(|step| steps.get_mut(step)) {
+            *distance = Some(off as f64 / total as f64 / unit);
+        }
+    }
+    // Once from either end, how many steps ago there was a pixel.
+    let mut since = vec![f64::INFINITY; steps.len()];
+    let (mut forth, mut back) = (f64::INFINITY, f64::INFINITY);
+    for n in 0..steps.len() {
+        let mirrored = steps.len() - 1 - n;
+        forth = if steps[n].is_some() { 0.0 } else { forth + 1.0 };
+        back = if steps[mirrored].is_some() { 0.0 } else { back + 1.0 };
+        since[n] = since[n].min(forth);
+        since[mirrored] = since[mirrored].min(back);
+    }
+    let distance = |n: usize| steps[n].unwrap_or(since[n]);
+    let sum: f64 = (0..steps.len()).map(distance).sum();
+    ((0..steps.len()).map(distance).fold(largest, f64::max), sum / steps.len() as f64)
+}
+
 /// Whether an ideal algorithm draws the pixel (x, y): its centre is less than ½ px from the line, or exactly
 /// ½ px on the side of the end that comes first along the major axis.
 #[must_use]
@@ -192,6 +240,19 @@ mod tests {
             }
         }
         assert!(draws(A, A, 2, 1) && !draws(A, A, 2, 0) && !draws(A, A, 2, 2) && !draws(A, A, 3, 1));
+    }
+
+    #[test]
+    fn what_is_missing_is_as_far_as_what_is_there() {
+        let b = IVec2::new(6, 1);
+        let at = |xs: &[i32]| xs.iter().map(|&x| (x, 1, 255)).collect::<Vec<_>>();
+        assert_eq!(distances(A, b, &at(&[2, 3, 4, 5, 6])), (0.0, 0.0));
+        assert_eq!(distances(A, b, &at(&[2, 6])), (2.0, 4.0 / 5.0));
+        assert_eq!(distances(A, b, &at(&[2, 3, 4, 5, 6, 9])), (3.0, 0.0));
+        assert_eq!(distances(A, b, &[]), (f64::INFINITY, f64::INFINITY));
+        assert_eq!(distances(A, A, &[(2, 4, 255)]), (3.0, 3.0));
+        let smooth = [(2, 1, 255), (3, 1, 127), (3, 2, 128), (4, 2, 255)];
+        assert!((distances(A, IVec2::new(4, 2), &smooth).0 - 0.5 / 255.0).abs() < 1e-12);
     }
 
     #[test]

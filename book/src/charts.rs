@@ -1,0 +1,279 @@
+//! Measures every row of every table of methods, and draws the charts.
+//!
+//! A table has its file here, named after its lesson, with a [`Chart`]: what is measured, against what, over
+//! which inputs. `CHARTS` lists them; the rest is the same for all.
+
+mod draw;
+mod figures;
+mod frame;
+mod frontier;
+mod lines;
+mod machine;
+mod measure;
+mod place;
+mod table;
+mod triangles;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, bail, ensure};
+use common::file::write_whole;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use figures::{known_digits, last_digit, three_digits};
+use machine::Machine;
+use measure::{Effort, alternate};
+use table::{Chart, Point, Series, number, rows, write_points, write_rows};
+
+/// The tables of methods, in the order of the lessons.
+const CHARTS: &[Chart] = &[lines::CHART, triangles::CHART];
+
+/// Where the book's charts are.
+const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/charts");
+
+/// What to measure, and where to put it.
+#[derive(clap::Args)]
+pub(crate) struct Flags {
+    /// The folder for the charts [default: the book's own; with --quick out/charts]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// One lesson alone, by its number
+    #[arg(long, value_name = "NN")]
+    lesson: Option<String>,
+
+    /// Take a twentieth of the samples and of the time; the charts say so
+    #[arg(long)]
+    quick: bool,
+
+    /// What the random inputs follow from
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+
+    /// Draw nothing; check instead that another seed moves no printed mean by more than its last digit
+    #[arg(long)]
+    second_seed: bool,
+}
+
+/// Measures and draws what the flags ask for.
+pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
+    ensure!(
+        !cfg!(debug_assertions),
+        "speed is measured in optimised programs: cargo run --release -p book -- charts"
+    );
+    let effort = Effort { quick: flags.quick, seed: flags.seed };
+    let wanted =
+        |name: &str| flags.lesson.as_ref().is_none_or(|lesson| name.starts_with(&format!("{lesson:0>2}-")));
+    let charts: Vec<&Chart> = CHARTS.iter().filter(|chart| wanted(chart.name)).collect();
+    ensure!(
+        !charts.is_empty(),
+        "--lesson {}: no lesson of that number has a table",
+        flags.lesson.as_deref().unwrap_or_default()
+    );
+    if flags.second_seed {
+        return second_seed(&charts, effort);
+    }
+    let folder = folder(flags)?;
+    let machine = Machine::find(effort)?;
+    let bar = progress(charts.len() * 4)?;
+    for chart in charts {
+        measure(chart, effort, &machine, &folder, &bar)?;
+        bar.println(format!("{}", folder.join(chart.name).with_extension("svg").display()));
+    }
+    bar.finish_and_clear();
+    Ok(())
+}
+
+/// The folder for the charts. Quick ones are not to be mistaken for the book's.
+fn folder(flags: &Flags) -> anyhow::Result<PathBuf> {
+    let committed = Path::new(COMMITTED);
+    let folder = match &flags.out {
+        Some(folder) => {
+            ensure!(folder.is_dir(), "--out {}: there is no such folder", folder.display());
+            folder.clone()
+        }
+        None => {
+            let folder = if flags.quick { PathBuf::from("out/charts") } else { committed.into() };
+            std::fs::create_dir_all(&folder)
+                .with_context(|| format!("cannot create the folder {}", folder.display()))?;
+            folder
+        }
+    };
+    let same = |a: &Path, b: &Path| matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+    ensure!(
+        !(flags.quick && same(&folder, committed)),
+        "--quick does not overwrite the book's charts: give another --out"
+    );
+    Ok(folder)
+}
+
+/// A bar for so many steps.
+fn progress(steps: usize) -> anyhow::Result<ProgressBar> {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {elapsed}")?;
+    Ok(ProgressBar::new(steps as u64).with_style(style))
+}
+
+/// Measures one table and writes its files.
+fn measure(
+    chart: &Chart,
+    effort: Effort,
+    machine: &Machine,
+    folder: &Path,
+    bar: &ProgressBar,
+) -> anyhow::Result<()> {
+    /// For the chart, and for each size of the work.
+    const USUAL: Duration = Duration::from_secs(10);
+    const OTHERS: Duration = Duration::from_secs(2);
+
+    let step = |what: &str| {
+        bar.inc(1);
+        bar.set_message(format!("{}: {what}", chart.name));
+    };
+    bar.set_message(format!("{}: errors", chart.name));
+    let errors = (chart.errors)(effort);
+    step("speed");
+    let throughputs = alternate(&mut (chart.work)(chart.sizes.usual, effort), USUAL, effort);
+    let rows = rows(chart, &errors, &throughputs);
+    step("growth");
+    let growth = growth(chart, effort, OTHERS);
+    step("stability");
+    let series = (chart.stability.measure)(effort);
+    ensure!(series.len() == rows.len(), "{}: a method has no stability", chart.name);
+
+    let path = |ending: &str| folder.join(format!("{}{ending}", chart.name));
+    let caption = machine.caption();
+    write_rows(&rows, chart.further, &path(".csv"))?;
+    write_points(&growth, ["method", "size", "nanoseconds"], &path("-growth.csv"))?;
+    write_points(&points(chart, &series), ["method", "stress", "error"], &path("-stability.csv"))?;
+    write_whole(&path(".svg"), draw::speed(chart, &rows, &caption)?.as_bytes())?;
+    write_whole(&path("-stability.svg"), draw::stability(chart, &series, &caption)?.as_bytes())?;
+    let samples: Vec<usize> = errors.iter().map(measure::Errors::samples).collect();
+    let facts = json!({
+        "machine": machine,
+        "quick": effort.quick,
+        "seed": effort.seed,
+        "job": chart.job,
+        "error": { "what": chart.error.name, "unit": chart.error.unit, "limit": chart.error.limit.0, "limit_name": chart.error.limit.1 },
+        "error_max": if chart.exhaustive { "exhaustive: a maximum" } else { "sampled: a lower bound" },
+        "samples": { "of": chart.samples, "number": samples },
+        "throughput": { "unit": chart.throughput, "timed": chart.timed, "rounds": throughputs.iter().map(|found| found.rounds).collect::<Vec<_>>() },
+        "growth": { "size": chart.sizes.name, "in_the_chart": chart.sizes.usual, "nanoseconds": format!("per {}", chart.throughput.trim_start_matches('M').trim_end_matches("/s")) },
+        "stability": { "stress": chart.stability.stress, "error": chart.stability.error.name, "unit": chart.stability.error.unit, "failure_above": chart.stability.error.limit.0 },
+    });
+    write_whole(&path(".json"), format!("{facts:#}\n").as_bytes())?;
+    step("done");
+    Ok(())
+}
+
+/// The time for a unit of work, at each size.
+fn growth(chart: &Chart, effort: Effort, limit: Duration) -> Vec<Point> {
+    /// A quick run leaves out what takes long to make.
+    const QUICK: usize = 10_000;
+    let sizes = chart.sizes.all.iter().filter(|&&size| !effort.quick || size <= QUICK);
+    let names = (chart.methods)();
+    sizes
+        .flat_map(|&size| {
+            let found = alternate(&mut (chart.work)(size, effort), limit, effort);
+            let point = |(name, found): (&&str, measure::Throughput)| Point {
+                method: (*name).into(),
+                at: size.to_string(),
+                value: three_digits(1e9 / found.median),
+            };
+            names.iter().zip(found).map(point).collect::<Vec<_>>()
+        })
+        .collect()
+}
+
+/// The points of a stability chart, as printed.
+fn points(chart: &Chart, series: &[Series]) -> Vec<Point> {
+    let names = (chart.methods)();
+    let point = |name: &str, &(at, value): &(f64, f64)| Point {
+        method: name.into(),
+        at: three_digits(at),
+        value: three_digits(value),
+    };
+    names
+        .iter()
+        .zip(series)
+        .flat_map(|(name, points)| points.iter().map(move |found| point(name, found)))
+        .collect()
+}
+
+/// Measures all errors with this seed and the next, and compares what would be printed.
+fn second_seed(charts: &[&Chart], effort: Effort) -> anyhow::Result<()> {
+    let bar = progress(charts.len())?;
+    let mut moved = 0;
+    for chart in charts {
+        bar.set_message(chart.name);
+        let printed = |seed| -> Vec<String> {
+            let errors = (chart.errors)(Effort { seed, ..effort });
+            errors.iter().map(|errors| known_digits(errors.mean(), errors.standard_error())).collect()
+        };
+        let (first, second) = (printed(effort.seed), printed(effort.seed + 1));
+        for (method, (a, b)) in (chart.methods)().iter().zip(first.iter().zip(&second)) {
+            if a != b && (number(a) - number(b)).abs() > 1.01 * last_digit(a).max(last_digit(b)) {
+                bar.println(format!("{}, {method}: {a}, then {b}", chart.name));
+                moved += 1;
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    if moved > 0 {
+        bail!("{moved} means moved by more than their last digit: take more samples");
+    }
+    println!("no printed mean moved by more than its last digit");
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::frontier::frontier;
+    use super::table::read_rows;
+    use super::*;
+
+    /// The rows of every table, as committed.
+    fn committed() -> impl Iterator<Item = (&'static Chart, Vec<table::Row>)> {
+        CHARTS.iter().map(|chart| {
+            let path = Path::new(COMMITTED).join(format!("{}.csv", chart.name));
+            (chart, read_rows(&path).unwrap())
+        })
+    }
+
+    #[test]
+    fn every_method_has_its_row() {
+        for (chart, rows) in committed() {
+            let methods: Vec<&str> = rows.iter().map(|row| row.method.as_str()).collect();
+            assert_eq!(methods, (chart.methods)(), "{}: measure the charts again", chart.name);
+        }
+    }
+
+    #[test]
+    fn the_frontier_is_that_of_the_printed_figures() {
+        for (chart, rows) in committed() {
+            let figures: Vec<(f64, f64)> =
+                rows.iter().map(|row| (number(&row.error_max), number(&row.throughput_median))).collect();
+            let printed: Vec<bool> = rows.iter().map(|row| row.frontier).collect();
+            assert_eq!(printed, frontier(&figures), "{}", chart.name);
+        }
+    }
+
+    #[test]
+    fn quartiles_are_in_order_and_means_below_worst_cases() {
+        for (chart, rows) in committed() {
+            for row in rows {
+                let [p25, median, p75] = [&row.throughput_p25, &row.throughput_median, &row.throughput_p75]
+                    .map(|text| number(text));
+                assert!(0.0 < p25 && p25 <= median && median <= p75, "{}, {}", chart.name, row.method);
+                assert!(
+                    number(&row.error_mean) <= 1.05 * number(&row.error_max),
+                    "{}, {}",
+                    chart.name,
+                    row.method
+                );
+            }
+        }
+    }
+}
