@@ -3,16 +3,28 @@
 //! A table has its file here, named after its lesson, with a [`Chart`]: what is measured, against what, over
 //! which inputs. `CHARTS` lists them; the rest is the same for all.
 
+mod camera;
 mod draw;
 mod figures;
+mod finish;
 mod frame;
 mod frontier;
+mod gouraud;
 mod lines;
 mod machine;
 mod measure;
+mod models;
+mod needs;
 mod place;
+mod scene;
+mod shaders;
+mod summary;
 mod table;
+mod textures;
+mod transforms;
 mod triangles;
+mod wireframe;
+mod zbuffer;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -28,7 +40,20 @@ use measure::{Effort, alternate};
 use table::{Chart, Point, Series, number, rows, write_points, write_rows};
 
 /// The tables of methods, in the order of the lessons.
-const CHARTS: &[Chart] = &[lines::CHART, triangles::CHART];
+const CHARTS: &[Chart] = &[
+    lines::CHART,
+    wireframe::CHART,
+    triangles::CHART,
+    zbuffer::CHART,
+    textures::CHART,
+    gouraud::CHART,
+    transforms::METHODS_CHART,
+    transforms::ROTATIONS_CHART,
+    transforms::INVERSES_CHART,
+    camera::CHART,
+    shaders::METHODS_CHART,
+    shaders::SHADERS_CHART,
+];
 
 /// Where the book's charts are.
 const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/charts");
@@ -77,10 +102,21 @@ pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
     }
     let folder = folder(flags)?;
     let machine = Machine::find(effort)?;
-    let bar = progress(charts.len() * 4)?;
+    let bar = progress(charts.len() * 4 + if flags.lesson.is_none() { 2 } else { 0 })?;
     for chart in charts {
         measure(chart, effort, &machine, &folder, &bar)?;
         bar.println(format!("{}", folder.join(chart.name).with_extension("svg").display()));
+    }
+    if flags.lesson.is_none() {
+        bar.set_message("no more than the scene needs");
+        needs::measure(effort, &machine, &folder)?;
+        bar.inc(1);
+        bar.set_message("the finished picture");
+        finish::measure(effort, &machine, &folder)?;
+        bar.inc(1);
+    }
+    if flags.lesson.is_none() {
+        summary::write(CHARTS, &folder)?;
     }
     bar.finish_and_clear();
     Ok(())
@@ -147,7 +183,7 @@ fn measure(
     write_rows(&rows, chart.further, &path(".csv"))?;
     write_points(&growth, ["method", "size", "nanoseconds"], &path("-growth.csv"))?;
     write_points(&points(chart, &series), ["method", "stress", "error"], &path("-stability.csv"))?;
-    write_whole(&path(".svg"), draw::speed(chart, &rows, &caption)?.as_bytes())?;
+    write_whole(&path(".svg"), draw::table(chart, &rows, &caption)?.as_bytes())?;
     write_whole(&path("-stability.svg"), draw::stability(chart, &series, &caption)?.as_bytes())?;
     let samples: Vec<usize> = errors.iter().map(measure::Errors::samples).collect();
     let facts = json!({
@@ -233,6 +269,77 @@ mod tests {
     use super::frontier::frontier;
     use super::table::read_rows;
     use super::*;
+
+    /// The committed charts, by name.
+    fn pictures() -> Vec<(String, String)> {
+        let files = std::fs::read_dir(COMMITTED).unwrap().map(|file| file.unwrap().path());
+        let charts = files.filter(|path| path.extension().is_some_and(|ending| ending == "svg"));
+        charts.map(|path| (path.display().to_string(), std::fs::read_to_string(&path).unwrap())).collect()
+    }
+
+    /// What a level line of text covers, if letters are `width` times as wide as high; and the text.
+    fn texts(svg: &str, width: f64) -> Vec<(place::Rect, String)> {
+        let document = roxmltree::Document::parse(svg).unwrap();
+        let level = |node: &roxmltree::Node| node.has_tag_name("text") && !node.has_attribute("transform");
+        let measured = |node: roxmltree::Node| {
+            let value = |name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap();
+            let text = node.text().unwrap_or_default().trim().to_string();
+            let (x, y, size) = (value("x"), value("y"), value("font-size"));
+            let length = text.chars().count() as f64 * size * width;
+            let left = match node.attribute("text-anchor") {
+                Some("middle") => x - length / 2.0,
+                Some("end") => x - length,
+                _ => x,
+            };
+            // Letters stand on, below or about the given height.
+            let middle = match node.attribute("dy") {
+                Some("0.76em") => y + 0.38 * size,
+                Some("-0.5ex") => y - 0.6 * size,
+                _ => y,
+            };
+            (place::Rect::about([left + length / 2.0, middle], length, 0.9 * size), text)
+        };
+        document.descendants().filter(level).map(measured).collect()
+    }
+
+    #[test]
+    fn no_text_covers_another_or_leaves_the_card() {
+        let (width, height) = (f64::from(frame::SIZE.0), f64::from(frame::SIZE.1));
+        assert!(pictures().len() > 2 * CHARTS.len());
+        for (chart, svg) in pictures() {
+            let texts = texts(&svg, 0.55);
+            assert!(texts.len() > 10, "{chart}: text is no text");
+            for (n, (place, text)) in texts.iter().enumerate() {
+                assert!(
+                    place.left >= 0.0 && place.right <= width && place.bottom <= height,
+                    "{chart}: {text}"
+                );
+                for (other, covered) in &texts[..n] {
+                    assert!(!place.overlaps(other), "{chart}: {text} covers {covered}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn advice_is_about_methods_that_have_a_result() {
+        for (chart, rows) in committed() {
+            assert!(!chart.advice.is_empty(), "{}", chart.name);
+            for (name, _) in chart.advice {
+                let row = rows.iter().find(|row| row.method == *name);
+                let row = row.unwrap_or_else(|| panic!("{}: there is no method {name}", chart.name));
+                assert!(number(&row.error_max).is_finite(), "{}, {name}", chart.name);
+            }
+        }
+    }
+
+    #[test]
+    fn the_summary_is_that_of_the_committed_figures() {
+        for (name, text) in summary::pages(CHARTS, Path::new(COMMITTED)).unwrap() {
+            let committed = std::fs::read_to_string(Path::new(COMMITTED).join(name)).unwrap();
+            assert_eq!(committed, text, "{name}: measure the charts again");
+        }
+    }
 
     /// The rows of every table, as committed.
     fn committed() -> impl Iterator<Item = (&'static Chart, Vec<table::Row>)> {

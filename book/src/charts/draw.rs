@@ -1,5 +1,6 @@
 //! The two kinds of chart: speed against accuracy, and error against stress.
 
+use anyhow::Context;
 use plotters::style::text_anchor::HPos;
 use plotters::style::{Color, FontStyle, RGBColor};
 
@@ -67,55 +68,92 @@ impl Columns {
     }
 }
 
-/// Draws the rows of a chart: throughput against error.
-pub(crate) fn speed(of: &Chart, rows: &[Row], caption: &str) -> anyhow::Result<String> {
-    let Quantity { name, unit, limit } = of.error;
-    let errors: Vec<[f64; 2]> =
-        rows.iter().map(|row| [&row.error_max, &row.error_mean].map(|text| number(text))).collect();
-    let columns = Columns::new(&errors.iter().flatten().copied().chain([limit.0]), -1.0, true);
-    let x = columns.axis(-1.0, format!("{name}, {unit} — more accurate →"));
-    let rates: Vec<[f64; 3]> = rows
-        .iter()
-        .map(|row| {
-            [&row.throughput_p25, &row.throughput_median, &row.throughput_p75]
-                .map(|text| number(text).log10())
-        })
-        .collect();
-    let y = throughput_axis(rates.iter().flatten().copied(), format!("{} — faster →", of.throughput));
-    let failed = errors.iter().flatten().any(|error| error.is_infinite());
-    let mut legend = String::from(
-        "● worst case · ○ mean · ■ worst case of the first method · │ quartiles of speed · ┐ frontier: nothing beats these · pale: beaten",
-    );
-    if failed {
-        legend.push_str(" · × none");
-    }
+/// A chart of speed against accuracy.
+pub(crate) struct Speed<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) title: String,
+    pub(crate) error: &'a Quantity,
+    /// What the other axis shows.
+    pub(crate) speed: String,
+    /// Whether it is shown as the time for one, in ms, instead of as a throughput.
+    pub(crate) times: bool,
+    pub(crate) dots: Vec<Dot>,
+    pub(crate) caption: Vec<String>,
+}
+
+/// A method in a chart of speed against accuracy.
+pub(crate) struct Dot {
+    pub(crate) name: String,
+    pub(crate) worst: f64,
+    pub(crate) mean: f64,
+    /// Quartiles of the throughput: 25 %, 50 %, 75 %.
+    pub(crate) speed: [f64; 3],
+    pub(crate) frontier: bool,
+}
+
+/// Draws the rows of a table of methods.
+pub(crate) fn table(of: &Chart, rows: &[Row], caption: &str) -> anyhow::Result<String> {
     let bound =
         if of.exhaustive { "all of them: worst cases are maxima" } else { "worst cases are lower bounds" };
-    let samples = format!("Errors over {}; {bound}.", of.samples);
-    let timed = format!("Timed: {}; methods in turn.", of.timed);
+    let dot = |row: &Row| Dot {
+        name: row.method.clone(),
+        worst: number(&row.error_max),
+        mean: number(&row.error_mean),
+        speed: [&row.throughput_p25, &row.throughput_median, &row.throughput_p75].map(|text| number(text)),
+        frontier: row.frontier,
+    };
+    speed(&Speed {
+        name: of.name,
+        title: of.job.into(),
+        error: &of.error,
+        speed: of.throughput.into(),
+        times: false,
+        dots: rows.iter().map(dot).collect(),
+        caption: vec![
+            format!("Errors over {}; {bound}.", of.samples),
+            format!("Timed: {}; methods in turn.", of.timed),
+            caption.into(),
+        ],
+    })
+}
+
+/// Draws a chart of speed against accuracy.
+pub(crate) fn speed(of: &Speed) -> anyhow::Result<String> {
+    let Quantity { name, unit, limit } = of.error;
+    let errors: Vec<[f64; 2]> = of.dots.iter().map(|dot| [dot.worst, dot.mean]).collect();
+    let columns = Columns::new(&errors.iter().flatten().copied().chain([limit.0]), -1.0, true);
+    let x = columns.axis(-1.0, format!("{name}, {unit} — more accurate →"));
+    let rates: Vec<[f64; 3]> = of.dots.iter().map(|dot| dot.speed.map(f64::log10)).collect();
+    let y = speed_axis(rates.iter().flatten().copied(), format!("{} — faster →", of.speed), of.times);
+    let mut legend = String::new();
+    if errors.iter().any(|[worst, mean]| worst != mean) {
+        legend.push_str("● worst case · ○ mean · ");
+    }
+    legend.push_str(
+        "■ the first method · │ quartiles of speed · ┐ frontier: nothing beats these · pale: beaten",
+    );
+    if errors.iter().flatten().any(|error| error.is_infinite()) {
+        legend.push_str(" · × none");
+    }
     let words = Words {
-        title: format!("{}: right is more accurate, up is faster", of.job),
-        reading: vec![format!("Pick the fastest method right of the dashed line ({}).", limit.1), legend],
-        caption: vec![&samples, &timed, caption],
+        title: format!("{}: right is more accurate, up is faster", of.title),
+        reading: vec![format!("Pick the fastest one right of the dashed line ({}).", limit.1), legend],
+        caption: &of.caption,
     };
     chart(&words, [&x, &y], |frame| {
         let at = |error: f64, rate: f64| frame.at([columns.at(error, -1.0), rate]);
-        let mut obstacles = vec![limit_line(frame, columns.at(limit.0, -1.0), limit.1)?];
+        let mut obstacles = limit_line(frame, columns.at(limit.0, -1.0), limit.1)?.to_vec();
 
-        let mut best: Vec<[f64; 2]> = rows
-            .iter()
-            .zip(errors.iter().zip(&rates))
-            .filter(|(row, _)| row.frontier)
-            .map(|(_, (e, r))| at(e[0], r[1]))
-            .collect();
+        let best = of.dots.iter().zip(errors.iter().zip(&rates)).filter(|(dot, _)| dot.frontier);
+        let mut best: Vec<[f64; 2]> = best.map(|(_, (error, rate))| at(error[0], rate[1])).collect();
         best.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let steps = staircase(&best, &frame.plot);
         frame.path(&steps, COLORS[0].mix(0.55), 2)?;
         obstacles.extend(steps.windows(2).map(|ends| Rect::around([ends[0], ends[1]], 2.0)));
 
         let mut anchors = Vec::new();
-        for (n, row) in rows.iter().enumerate() {
-            let color = if row.frontier { COLORS[0].mix(1.0) } else { GRAY.mix(0.5) };
+        for (n, dot) in of.dots.iter().enumerate() {
+            let color = if dot.frontier { COLORS[0].mix(1.0) } else { GRAY.mix(0.5) };
             let [worst, mean] = errors[n].map(|error| at(error, rates[n][1]));
             let bar = [0, 2].map(|quartile| at(errors[n][0], rates[n][quartile]));
             frame.path(&bar, color, 2)?;
@@ -133,28 +171,28 @@ pub(crate) fn speed(of: &Chart, rows: &[Row], caption: &str) -> anyhow::Result<S
             obstacles.push(Rect::about(mean, 12.0, 12.0));
             obstacles.push(Rect::around(bar, 3.0));
             obstacles.push(Rect::around([worst, mean], 1.0));
-            anchors.push((worst, label_size(&row.method)));
+            anchors.push((worst, label_size(&dot.name)));
         }
-        for (row, label) in rows.iter().zip(place(&anchors, &obstacles, frame.plot)) {
-            let label =
-                label.ok_or_else(|| anyhow::anyhow!("{}: no room for the label {}", of.name, row.method))?;
-            frame.label(&row.method, &label, if row.frontier { INK } else { GRAY }, row.frontier)?;
+        for (dot, label) in of.dots.iter().zip(place(&anchors, &obstacles, frame.plot)) {
+            let label = label.with_context(|| format!("{}: no room for the label {}", of.name, dot.name))?;
+            frame.label(&dot.name, &label, if dot.frontier { INK } else { GRAY }, dot.frontier)?;
         }
         Ok(())
     })
 }
 
-/// The vertical line of what cannot be told from exact, with its name at the foot. Returns where that is.
-fn limit_line(frame: &Frame, at: f64, name: &str) -> anyhow::Result<Rect> {
+/// The vertical line of what cannot be told from exact, with its name on top. Returns where both are.
+fn limit_line(frame: &Frame, at: f64, name: &str) -> anyhow::Result<[Rect; 2]> {
     let x = frame.at([at, 0.0])[0];
-    frame.dashes([[x, frame.plot.top], [x, frame.plot.bottom]], INK)?;
+    let ends = [[x, frame.plot.top], [x, frame.plot.bottom]];
+    frame.dashes(ends, INK)?;
     let [width, height] = label_size(name);
     let middle = [x - width / 2.0 - 4.0, frame.plot.top + height / 2.0 + 2.0];
     let middle =
         if middle[0] - width / 2.0 < frame.plot.left { [x + width / 2.0 + 4.0, middle[1]] } else { middle };
     let place = Rect::about(middle, width, height);
     frame.text(name, [middle[0], middle[1] + 5.0], LABEL, INK, FontStyle::Italic, HPos::Center)?;
-    Ok(Rect { left: place.left.min(x - 2.0), right: place.right.max(x + 2.0), ..place })
+    Ok([place, Rect::around(ends, 2.0)])
 }
 
 /// The border of what the points beat: from the left edge over the first one, down and right to the last one,
@@ -169,8 +207,9 @@ fn staircase(points: &[[f64; 2]], plot: &Rect) -> Vec<[f64; 2]> {
     steps
 }
 
-/// An axis of throughputs, whose logarithms these are: ticks at 1, 2 and 5 where there are few decades.
-fn throughput_axis(rates: impl Iterator<Item = f64>, label: String) -> Axis {
+/// An axis of throughputs, whose logarithms these are, or of the times for one: ticks at 1, 2 and 5 where there
+/// are few decades.
+fn speed_axis(rates: impl Iterator<Item = f64>, label: String, times: bool) -> Axis {
     let (low, high) =
         rates.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
     let margin = (0.6 - (high - low)).max(0.0) / 2.0 + 0.12 * (high - low).max(0.5);
@@ -180,10 +219,12 @@ fn throughput_axis(rates: impl Iterator<Item = f64>, label: String) -> Axis {
         span if span < 3.0 => &[1.0, 2.0, 5.0],
         _ => &[1.0],
     };
-    let decades = range[0].floor() as i32..=range[1].ceil() as i32;
-    let ticks = decades.flat_map(|exponent| steps.iter().map(move |step| step * 10f64.powi(exponent)));
-    let inside = ticks.filter(|value| (range[0]..range[1]).contains(&value.log10()));
-    let ticks = inside.map(|value| (value.log10(), plain(value))).collect();
+    let decades = range.map(|end| if times { 3.0 - end } else { end });
+    let decades = decades[0].min(decades[1]).floor() as i32..=decades[0].max(decades[1]).ceil() as i32;
+    let values = decades.flat_map(|exponent| steps.iter().map(move |step| step * 10f64.powi(exponent)));
+    // A time in ms is 1000 over the throughput.
+    let tick = |value: f64| (if times { 3.0 - value.log10() } else { value.log10() }, plain(value));
+    let ticks = values.map(tick).filter(|tick| (range[0]..range[1]).contains(&tick.0)).collect();
     Axis { label, range, ticks, bands: Vec::new() }
 }
 
@@ -194,49 +235,86 @@ fn plain(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
-/// Draws error against stress, methods that behave alike as one line.
-pub(crate) fn stability(of: &Chart, series: &[Series], caption: &str) -> anyhow::Result<String> {
-    let Quantity { name, unit, limit } = of.stability.error;
-    let lines = alike(&(of.methods)(), series);
-    let values = || lines.iter().flat_map(|line| line.points.iter());
-    let y_columns = Columns::new(&values().map(|point| point.1).chain([limit.0]), 1.0, false);
-    let y = y_columns.axis(1.0, format!("{name}, {unit}"));
-    let sign = if of.stability.falling { -1.0 } else { 1.0 };
-    let x_columns = Columns::new(&values().map(|point| point.0), sign, false);
-    let mut x = x_columns.axis(sign, format!("{} — harder →", of.stability.stress));
-    // Room for the labels, which stand to the right of the last points.
-    x.range[1] += (x.range[1] - x.range[0]) * 0.3;
+/// A chart of lines: an error against what makes it larger.
+pub(crate) struct Lines<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) title: String,
+    pub(crate) reading: String,
+    /// What the horizontal axis shows, and whether it falls to the right.
+    pub(crate) across: String,
+    pub(crate) falling: bool,
+    pub(crate) error: &'a Quantity,
+    pub(crate) lines: Vec<Line>,
+    pub(crate) caption: Vec<String>,
+}
 
-    let words = Words {
+/// A line of such a chart.
+pub(crate) struct Line {
+    pub(crate) name: String,
+    pub(crate) points: Series,
+    /// The point that is ringed.
+    pub(crate) ringed: Option<usize>,
+}
+
+/// Draws error against stress, methods that behave alike as one line, their first failures ringed.
+pub(crate) fn stability(of: &Chart, series: &[Series], caption: &str) -> anyhow::Result<String> {
+    let error = &of.stability.error;
+    let limit = error.limit;
+    let mut all = alike(&(of.methods)(), series);
+    for line in &mut all {
+        line.ringed = line.points.iter().position(|point| point.1 > limit.0);
+    }
+    lines(&Lines {
+        name: of.name,
         title: format!("{}: where methods fail; lower is better", of.job),
-        reading: vec![format!(
+        reading: format!(
             "◯ first failure: above the dashed line ({}). Methods with the same figures share a line.",
             limit.1
-        )],
-        caption: vec![caption],
-    };
+        ),
+        across: format!("{} — harder →", of.stability.stress),
+        falling: of.stability.falling,
+        error,
+        lines: all,
+        caption: vec![caption.into()],
+    })
+}
+
+/// Draws a chart of lines.
+pub(crate) fn lines(of: &Lines) -> anyhow::Result<String> {
+    let Quantity { name, unit, limit } = of.error;
+    let values = || of.lines.iter().flat_map(|line| line.points.iter());
+    let y_columns = Columns::new(&values().map(|point| point.1).chain([limit.0]), 1.0, false);
+    let y = y_columns.axis(1.0, format!("{name}, {unit}"));
+    let sign = if of.falling { -1.0 } else { 1.0 };
+    let x_columns = Columns::new(&values().map(|point| point.0), sign, false);
+    let mut x = x_columns.axis(sign, of.across.clone());
+    // Room for the labels, which stand to the right of the last points.
+    x.range[1] += (x.range[1] - x.range[0]) * 0.28;
+
+    let words = Words { title: of.title.clone(), reading: vec![of.reading.clone()], caption: &of.caption };
     chart(&words, [&x, &y], |frame| {
         let at = |point: &(f64, f64)| frame.at([x_columns.at(point.0, sign), y_columns.at(point.1, 1.0)]);
         let height = frame.at([0.0, y_columns.at(limit.0, 1.0)])[1];
         frame.dashes([[frame.plot.left, height], [frame.plot.right, height]], INK)?;
         let mut anchors = Vec::new();
         let mut obstacles = vec![Rect::around([[frame.plot.left, height], [frame.plot.right, height]], 2.0)];
-        for (n, line) in lines.iter().enumerate() {
+        for (n, line) in of.lines.iter().enumerate() {
             let path: Vec<[f64; 2]> = line.points.iter().map(at).collect();
             // The first ones are the thickest, so that lines on top of each other are all seen.
-            let width = 2 + (lines.len() - 1 - n).min(6) as u32;
+            let width = 2 + (of.lines.len() - 1 - n).min(6) as u32;
             frame.path(&path, color(n).mix(1.0), width)?;
             path.iter().try_for_each(|point| frame.mark(*point, Mark::Dot, color(n).mix(1.0)))?;
-            if let Some(first) = line.points.iter().position(|point| point.1 > limit.0) {
-                frame.mark(path[first], Mark::Halo, color(n).mix(1.0))?;
+            if let Some(ringed) = line.ringed {
+                frame.mark(path[ringed], Mark::Halo, color(n).mix(1.0))?;
+                obstacles.push(Rect::about(path[ringed], 20.0, 20.0));
             }
             obstacles.extend(path.windows(2).flat_map(|ends| along(ends[0], ends[1])));
             anchors.push((*path.last().unwrap_or(&[0.0; 2]), label_size(&line.name)));
         }
         for (n, label) in place(&anchors, &obstacles, frame.plot).into_iter().enumerate() {
-            let label = label
-                .ok_or_else(|| anyhow::anyhow!("{}: no room for the label {}", of.name, lines[n].name))?;
-            frame.label(&lines[n].name, &label, color(n), true)?;
+            let name = &of.lines[n].name;
+            let label = label.with_context(|| format!("{}: no room for the label {name}", of.name))?;
+            frame.label(name, &label, color(n), true)?;
         }
         Ok(())
     })
@@ -255,13 +333,6 @@ fn along(a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = Rect> {
     })
 }
 
-/// A line of a stability chart.
-struct Line {
-    /// The names of its methods.
-    name: String,
-    points: Series,
-}
-
 /// Methods with the same points as one line each.
 fn alike(methods: &[&str], series: &[Series]) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
@@ -271,7 +342,7 @@ fn alike(methods: &[&str], series: &[Series]) -> Vec<Line> {
                 line.name.push_str(", ");
                 line.name.push_str(method);
             }
-            None => lines.push(Line { name: (*method).into(), points: points.clone() }),
+            None => lines.push(Line { name: (*method).into(), points: points.clone(), ringed: None }),
         }
     }
     lines

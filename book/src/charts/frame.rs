@@ -81,7 +81,7 @@ pub(crate) struct Words<'a> {
     /// How to read it: lines under the title.
     pub(crate) reading: Vec<String>,
     /// Lines at the foot.
-    pub(crate) caption: Vec<&'a str>,
+    pub(crate) caption: &'a [String],
 }
 
 /// A chart that is being drawn, in pixels.

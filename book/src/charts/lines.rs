@@ -27,11 +27,16 @@ pub(crate) const CHART: Chart = Chart {
     work,
     sizes: Sizes { name: "pixels a segment", all: &[1, 10, 100, 1000], usual: 100 },
     stability: Stability {
-        stress: "length of a segment of slope 1/3 and 2/3, px",
+        stress: "length of segments of slope 0.37 and 0.61, px",
         falling: false,
         error: Quantity { name: "largest distance", unit: "px", limit: (1.0, "1 px") },
         measure: stability,
     },
+    advice: &[
+        ("bresenham", "always, unless the line must be smooth: exact, any ends, free outside the picture"),
+        ("wu", "where stairs would show"),
+        ("scaled", "inside the picture, with ends below 2²⁹: as exact, without setting up a window"),
+    ],
 };
 
 /// A segment with two ends in the picture, its length any power of 10 up to the side with the same chance.
@@ -109,7 +114,7 @@ fn stability(effort: Effort) -> Vec<Series> {
     let lengths =
         (3..=if effort.quick { 15 } else { 21 }).map(|half| 10f64.powf(f64::from(half) / 3.0) as i32);
     let largest = |method, length: i32| {
-        let ends = [length / 3, length / 3 * 2].map(|rise| IVec2::new(length, rise));
+        let ends = [0.37, 0.61].map(|slope| IVec2::new(length, (slope * f64::from(length)).round() as i32));
         ends.map(|b| distances(IVec2::ZERO, b, &pixels(method, IVec2::ZERO, b)).0)
             .into_iter()
             .fold(0.0, f64::max)

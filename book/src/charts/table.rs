@@ -38,6 +38,8 @@ pub(crate) struct Chart {
     pub(crate) sizes: Sizes,
     /// How methods fail.
     pub(crate) stability: Stability,
+    /// Which method, when: the first one is the usual choice. What is not named is not for use.
+    pub(crate) advice: &'static [(&'static str, &'static str)],
 }
 
 /// What an axis shows.

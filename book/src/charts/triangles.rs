@@ -35,6 +35,10 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "holes and doubled pixels", unit: "% of the mesh's", limit: (0.0, "none") },
         measure: stability,
     },
+    advice: &[
+        ("edges", "always"),
+        ("barycentric", "to explain it, with corners within some 10⁴ px; neighbours that may share pixels"),
+    ],
 };
 
 fn random_corners(random: &mut Rng, side: f32) -> [Vec2; 3] {

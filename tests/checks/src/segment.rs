@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use common::IVec2;
+use common::{Bounds, IVec2, Vec2Swizzles};
 
 /// How the pixels of a drawn segment lie.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,10 +47,14 @@ struct Axes {
 
 impl Axes {
     fn new(a: IVec2, b: IVec2) -> Self {
-        let [dx, dy] = [i128::from(b.x) - i128::from(a.x), i128::from(b.y) - i128::from(a.y)];
+        Self::between(a.to_array().map(i128::from), b.to_array().map(i128::from))
+    }
+
+    fn between([ax, ay]: [i128; 2], [bx, by]: [i128; 2]) -> Self {
+        let [dx, dy] = [bx - ax, by - ay];
         let steep = dy.abs() > dx.abs();
         let order = |x: i128, y: i128| if steep { [y, x] } else { [x, y] };
-        Self { steep, start: order(a.x.into(), a.y.into()), extent: order(dx, dy) }
+        Self { steep, start: order(ax, ay), extent: order(dx, dy) }
     }
 
     /// Steps from the start, counted towards the end; and the distance's numerator over the segment's
@@ -169,9 +173,31 @@ pub fn distances(a: IVec2, b: IVec2, pixels: &[(i32, i32, u8)]) -> (f64, f64) {
 /// ½ px on the side of the end that comes first along the major axis.
 #[must_use]
 pub fn draws(a: IVec2, b: IVec2, x: i32, y: i32) -> bool {
-    Axes::new(a, b)
-        .above(x, y)
-        .is_some_and(|(above, length)| -length <= 2 * above && 2 * above < length.max(1))
+    Axes::new(a, b).draws(x, y)
+}
+
+/// The pixels that an ideal algorithm draws in the bounds; the ends may lie anywhere up to ±2⁵⁰.
+#[must_use]
+pub fn pixels(a: [i128; 2], b: [i128; 2], bounds: Bounds) -> Vec<(i32, i32)> {
+    let axes = Axes::between(a, b);
+    let [low, high] = if axes.steep { [bounds.min.yx(), bounds.max.yx()] } else { [bounds.min, bounds.max] };
+    let slope = axes.extent[1] as f64 / axes.extent[0] as f64;
+    let mut pixels = Vec::new();
+    for major in low.x..=high.x {
+        // Where about the pixel is; `draws` then decides which one. A segment of one pixel has no slope.
+        let along = (i128::from(major) - axes.start[0]) as f64;
+        let risen = if slope.is_finite() { along * slope } else { 0.0 };
+        let about = axes.start[1] + risen.round() as i128;
+        for minor in about - 1..=about + 1 {
+            if i128::from(low.y) <= minor && minor <= i128::from(high.y) {
+                let (x, y) = if axes.steep { (minor as i32, major) } else { (major, minor as i32) };
+                if axes.draws(x, y) {
+                    pixels.push((x, y));
+                }
+            }
+        }
+    }
+    pixels
 }
 
 /// How much of the pixel (x, y) a smooth line takes: 1 less its distance from the line in px, at least 0.
@@ -182,6 +208,11 @@ pub fn smooth_share(a: IVec2, b: IVec2, x: i32, y: i32) -> f64 {
 }
 
 impl Axes {
+    /// See [`draws`].
+    fn draws(&self, x: i32, y: i32) -> bool {
+        self.above(x, y).is_some_and(|(above, length)| -length <= 2 * above && 2 * above < length.max(1))
+    }
+
     /// How far a pixel lies beyond the line, seen from the first end along the major axis, with the
     /// segment's length as the unit; and that length. `None` before the first end and behind the second.
     fn above(&self, x: i32, y: i32) -> Option<(i128, i128)> {
@@ -253,6 +284,20 @@ mod tests {
         assert_eq!(distances(A, A, &[(2, 4, 255)]), (3.0, 3.0));
         let smooth = [(2, 1, 255), (3, 1, 127), (3, 2, 128), (4, 2, 255)];
         assert!((distances(A, IVec2::new(4, 2), &smooth).0 - 0.5 / 255.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn all_the_pixels_are_those_that_are_drawn() {
+        let bounds = Bounds { min: IVec2::new(-3, -4), max: IVec2::new(6, 5) };
+        for n in 0..6_i32.pow(4) {
+            let [ax, ay, bx, by] = [n % 6, n / 6 % 6, n / 36 % 6, n / 216].map(|n| 3 * n - 7);
+            let (a, b) = (IVec2::new(ax, ay), IVec2::new(bx, by));
+            let all = (-3..=6).flat_map(|x| (-4..=5).map(move |y| (x, y)));
+            let expected: Vec<_> = all.filter(|&(x, y)| draws(a, b, x, y)).collect();
+            let mut got = pixels([ax, ay].map(i128::from), [bx, by].map(i128::from), bounds);
+            got.sort_unstable();
+            assert_eq!(got, expected, "{a} to {b}");
+        }
     }
 
     #[test]
