@@ -24,7 +24,7 @@ impl Columns {
         let (low, high) =
             finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
         let (low, high) = if low > high { (0.0, 0.0) } else { (low.floor(), high.ceil()) };
-        let high = high.max(low + 2.0);
+        let low = low.min(high - 2.0);
         let outer =
             [values.clone().any(f64::is_infinite), always_exact || values.clone().any(|value| value == 0.0)];
         let [low, high] = if sign < 0.0 { [-high, -low] } else { [low, high] };

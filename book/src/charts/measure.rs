@@ -83,8 +83,8 @@ impl Throughput {
 /// Times pieces of work in turn, so that whatever slows the machine slows them all, until each median is
 /// known to 1 % or the time is up.
 pub(crate) fn alternate(works: &mut [Work], limit: Duration, effort: Effort) -> Vec<Throughput> {
-    /// Long enough for the clock, short enough for many rounds.
-    const ROUND: f64 = 2e-3;
+    /// Long enough for the clock; short enough for most rounds to pass without another program in between.
+    const ROUND: f64 = 5e-4;
     let limit = effort.time(limit);
     let times: Vec<u32> = works
         .iter_mut()

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use checks::{segment, vertex};
 use common::{Color, Format, Image, Method, Model, Vec3};
 use fastrand::Rng;
-use wireframe::{Draw, METHODS};
+use wireframe::{METHODS, Wireframe};
 
 use super::measure::{Effort, Errors, Work};
 use super::models::{TRIANGLES, USUAL, sphere};
@@ -64,9 +64,9 @@ fn wrong(model: &Model, side: u16) -> (Vec<usize>, usize) {
             expected.extend(segment::pixels(corner(from), corner(to), empty.bounds()));
         }
     }
-    let count = |method: &Method<Draw>| {
+    let count = |method: &Method<Wireframe>| {
         let mut image = empty.clone();
-        (method.run)(model, &mut image, Color::WHITE);
+        (method.run.draw)(model, &mut image, Color::WHITE);
         let drawn = |x, y| image.get(x, y) == Some(Color::WHITE);
         image.pixels().filter(|&(x, y, _)| drawn(x, y) != expected.contains(&(x, y))).count()
     };
@@ -86,10 +86,10 @@ fn errors(effort: Effort) -> Vec<Errors> {
 
 fn work(size: usize, _: Effort) -> Vec<Work> {
     let model = sphere(size);
-    let work = |method: &'static Method<Draw>| {
+    let work = |method: &'static Method<Wireframe>| {
         let mut image = Image::new(800, 800, Format::Rgb);
         Work::new(model.faces().len() as f64, move || {
-            (method.run)(model, &mut image, Color::WHITE);
+            (method.run.draw)(model, &mut image, Color::WHITE);
             image.get(0, 0)
         })
     };
