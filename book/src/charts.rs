@@ -58,6 +58,9 @@ const CHARTS: &[Chart] = &[
 /// Where the book's charts are.
 const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/charts");
 
+/// What says in short which method to take.
+const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
+
 /// What to measure, and where to put it.
 #[derive(clap::Args)]
 pub(crate) struct Flags {
@@ -116,10 +119,21 @@ pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
         bar.inc(1);
     }
     if flags.lesson.is_none() {
-        summary::write(CHARTS, &folder)?;
+        if same(&folder, Path::new(COMMITTED)) {
+            write_summary()?;
+        } else {
+            summary::write(CHARTS, &folder)?;
+        }
     }
     bar.finish_and_clear();
     Ok(())
+}
+
+/// Writes which method to take when, from the figures of the book's charts: there and in the README.
+pub(crate) fn write_summary() -> anyhow::Result<()> {
+    let folder = Path::new(COMMITTED);
+    summary::write(CHARTS, folder)?;
+    summary::write_readme(folder, Path::new(README))
 }
 
 /// The folder for the charts. Quick ones are not to be mistaken for the book's.
@@ -137,12 +151,16 @@ fn folder(flags: &Flags) -> anyhow::Result<PathBuf> {
             folder
         }
     };
-    let same = |a: &Path, b: &Path| matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
     ensure!(
         !(flags.quick && same(&folder, committed)),
         "--quick does not overwrite the book's charts: give another --out"
     );
     Ok(folder)
+}
+
+/// Whether two paths lead to one folder.
+fn same(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// A bar for so many steps.
@@ -338,6 +356,10 @@ mod tests {
         for (name, text) in summary::pages(CHARTS, Path::new(COMMITTED)).unwrap() {
             let committed = std::fs::read_to_string(Path::new(COMMITTED).join(name)).unwrap();
             assert_eq!(committed, text, "{name}: measure the charts again");
+            if name == "methods-short.md" {
+                let readme = std::fs::read_to_string(README).unwrap();
+                assert_eq!(summary::in_readme(&readme, &text).unwrap(), readme);
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 //! ```text
 //! cargo run -p book -- pictures           each lesson's picture, into book/chapters/pictures/
 //! cargo run --release -p book -- charts   speed against accuracy, into book/chapters/charts/
+//! cargo run -p book -- methods            which method, when: from the figures of the charts
 //! ```
 
 mod charts;
@@ -27,6 +28,8 @@ enum Make {
     Pictures,
     /// Measure every method and chart its speed against its accuracy, into book/chapters/charts/
     Charts(charts::Flags),
+    /// Write again, from the book's figures, which method to take when: two pages and the README's table
+    Methods,
 }
 
 fn main() -> ExitCode {
@@ -35,6 +38,7 @@ fn main() -> ExitCode {
             pictures::draw_all(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/pictures")))
         }
         Make::Charts(flags) => charts::run(&flags),
+        Make::Methods => charts::write_summary(),
     };
     match made {
         Ok(()) => ExitCode::SUCCESS,

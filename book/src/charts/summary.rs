@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use anyhow::Context;
 use common::file::write_whole;
 
 use super::table::{Chart, Row, read_rows};
@@ -13,6 +14,13 @@ pub(crate) fn write(charts: &[Chart], folder: &Path) -> anyhow::Result<()> {
         write_whole(&folder.join(name), text.as_bytes())?;
     }
     Ok(())
+}
+
+/// Puts the short version that stands beside the charts into the README.
+pub(crate) fn write_readme(folder: &Path, readme: &Path) -> anyhow::Result<()> {
+    let short = std::fs::read_to_string(folder.join("methods-short.md"))?;
+    let text = std::fs::read_to_string(readme).with_context(|| readme.display().to_string())?;
+    Ok(write_whole(readme, in_readme(&text, &short)?.as_bytes())?)
 }
 
 /// The two pages, each with its file's name.
@@ -45,6 +53,16 @@ pub(crate) fn pages(charts: &[Chart], folder: &Path) -> anyhow::Result<[(&'stati
     Ok([("methods.md", page), ("methods-short.md", short)])
 }
 
+/// What stands before and behind the short version in the README.
+const MARKS: [&str; 2] = ["<!-- methods -->\n", "<!-- /methods -->"];
+
+/// The README with this short version between its marks.
+pub(crate) fn in_readme(readme: &str, short: &str) -> anyhow::Result<String> {
+    let (before, rest) = readme.split_once(MARKS[0]).context("README.md: there is no <!-- methods -->")?;
+    let (_, behind) = rest.split_once(MARKS[1]).context("README.md: there is no <!-- /methods -->")?;
+    Ok([before, MARKS[0], short, MARKS[1], behind].concat())
+}
+
 /// A printed figure for people.
 fn readable(text: &str) -> String {
     match text.split_once('e') {
@@ -57,7 +75,15 @@ fn readable(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::readable;
+    use super::{in_readme, readable};
+
+    #[test]
+    fn the_short_version_stands_between_its_marks() {
+        let readme = "a\n<!-- methods -->\nold\n<!-- /methods -->\nb\n";
+        let expected = "a\n<!-- methods -->\nnew\n<!-- /methods -->\nb\n";
+        assert_eq!(in_readme(readme, "new\n").unwrap(), expected);
+        assert!(in_readme("nothing", "new").is_err());
+    }
 
     #[test]
     fn figures_are_written_for_people() {

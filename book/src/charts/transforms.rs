@@ -101,8 +101,7 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
         measure: inverse_stability,
     },
     advice: &[
-        ("elimination", "anything but rotations with a move"),
-        ("cofactors", "the same, where it is faster; no branches"),
+        ("cofactors", "anything but rotations with a move: as accurate as elimination, and faster"),
         ("transpose", "rotations with a move: the camera"),
     ],
 };
