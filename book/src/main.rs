@@ -2,11 +2,15 @@
 //!
 //! ```text
 //! cargo run --release -p book                the whole book, into target/book/
+//! cargo run --release -p book -- html        its pages and figures alone
 //! cargo run --release -p book -- figures     its figures alone
 //! cargo run --release -p book -- serve       shows it in a browser
+//! cargo run --release -p book -- charts      speed against accuracy, into book/chapters/charts/
+//! cargo run -p book -- methods               which method, when: from the figures of the charts
 //! cargo run -p book -- pictures              each lesson's picture, into book/chapters/pictures/
 //! ```
 
+mod charts;
 mod fault;
 mod figures;
 mod html;
@@ -27,28 +31,46 @@ use clap::{Parser, Subcommand};
 /// Where the book is built.
 const OUT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../target/book");
 
-/// Makes what the README and the book show. Without a command: the whole book.
+/// Makes what the README and the book show. Without a command: the whole book, into target/book/.
 #[derive(Parser)]
-#[command(disable_version_flag = true)]
+#[command(disable_version_flag = true, args_conflicts_with_subcommands = true)]
 struct Arguments {
     #[command(subcommand)]
     make: Option<Make>,
 
-    /// The folder for the book [default: target/book]
-    #[arg(long, value_name = "DIR", global = true)]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    folder: Folder,
+
+    /// Charts that are missing: take a twentieth of the time to measure them
+    #[arg(long)]
+    quick: bool,
+}
+
+/// Where the book is.
+#[derive(clap::Args)]
+struct Folder {
+    /// The folder of the book
+    #[arg(long, value_name = "DIR", default_value = OUT, hide_default_value = true)]
+    out: PathBuf,
 }
 
 #[derive(Subcommand)]
 enum Make {
     /// Draw each lesson's picture by its own program, into book/chapters/pictures/
     Pictures,
-    /// Draw the book's figures
-    Figures,
-    /// Build the book's pages, figures included
-    Html,
+    /// Measure every method and chart its speed against its accuracy, into book/chapters/charts/
+    Charts(charts::Flags),
+    /// Write again, from the book's figures, which method to take when: two pages and the README's table
+    Methods,
+    /// Draw the book's figures, into target/book/figures/
+    Figures(Folder),
+    /// Build the book's pages with their figures, into target/book/
+    Html(Folder),
     /// Show the book in a browser
     Serve {
+        #[command(flatten)]
+        folder: Folder,
+
         /// The port of this machine to use; 0 takes any
         #[arg(long, default_value_t = 3000)]
         port: u16,
@@ -66,17 +88,24 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let out = arguments.out.as_deref().unwrap_or(Path::new(OUT));
     match &arguments.make {
         Some(Make::Pictures) => {
             pictures::draw_all(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/pictures")))
         }
-        Some(Make::Figures) => html::draw(out),
-        Some(Make::Serve { port }) => serve::serve(out, *port),
-        Some(Make::Html) | None => {
-            html::build(out)?;
-            println!("{}", out.join("index.html").display());
-            Ok(())
+        Some(Make::Charts(flags)) => charts::run(flags),
+        Some(Make::Methods) => charts::write_summary(),
+        Some(Make::Figures(folder)) => html::draw(&folder.out),
+        Some(Make::Serve { folder, port }) => serve::serve(&folder.out, *port),
+        Some(Make::Html(folder)) => build(&folder.out),
+        None => {
+            charts::measure_missing(arguments.quick)?;
+            build(&arguments.folder.out)
         }
     }
+}
+
+fn build(out: &Path) -> anyhow::Result<()> {
+    html::build(out)?;
+    println!("{}", out.join("index.html").display());
+    Ok(())
 }

@@ -11,6 +11,7 @@
 //! | `{{value TABLE ROW... COLUMN}}` | a cell of `charts/TABLE.csv` |
 //! | `{{ratio TABLE ROW OVER COLUMN}}` | how many times as large it is in one row as in another |
 //! | `{{results TABLE COLUMN=Heading...}}` | columns of the table |
+//! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -229,15 +230,18 @@ impl Writer<'_> {
                     named.iter().map(|(column, name)| (*column, name.as_str())).collect();
                 Table::read(&charts, table)?.markdown(&named)?
             }
+            ["insert", name] => {
+                let file = charts.join(name).with_extension("md");
+                std::fs::read_to_string(file).with_context(|| format!("there is no charts/{name}.md"))?
+            }
             ["methods", name] => {
                 let table = TABLES.iter().find(|table| table.name == *name);
                 let names = || TABLES.iter().map(|table| table.name).collect::<Vec<_>>().join(", ");
                 table.with_context(|| format!("there is no table `{name}`, but {}", names()))?.markdown()
             }
             ["all-methods"] => {
-                let part = |table: &crate::methods::Methods| {
-                    format!("## {}\n\n`{}`\n\n{}\n", table.job, table.name, table.markdown())
-                };
+                let part =
+                    |table: &crate::methods::Methods| format!("### {}\n\n{}\n", table.job, table.markdown());
                 TABLES.iter().map(part).collect()
             }
             _ => bail!("`{{{{{}}}}}` means nothing here; book/src/page.rs says what does", words.join(" ")),
@@ -277,13 +281,17 @@ impl Writer<'_> {
 
     /// A measured chart, which leads to its file: on a telephone it is small.
     fn chart(&self, name: &str) -> Result<String, String> {
-        let file = format!("charts/{name}.svg");
-        if !self.sources.chapters.join(&file).is_file() {
-            return Err(format!("there is no {file}: cargo run --release -p book -- charts"));
-        }
-        let table = Table::read(&self.sources.chapters.join("charts"), name);
-        let alt = escaped(&table.map_err(|error| format!("{error:#}"))?.in_words());
-        Ok(format!("<a href=\"{file}\"><img src=\"{file}\" alt=\"{alt}\" width=\"1000\" height=\"680\"></a>"))
+        let (file, folder) = (format!("charts/{name}.svg"), self.sources.chapters.join("charts"));
+        let svg = std::fs::read_to_string(self.sources.chapters.join(&file))
+            .map_err(|_| format!("there is no {file}: cargo run --release -p book -- charts"))?;
+        let (title, [width, height]) =
+            chart_title(&svg).ok_or_else(|| format!("{file} has no title or no size"))?;
+        let best = Table::read(&folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
+        let best = if best.is_empty() { best } else { format!(" None beats these in both: {best}.") };
+        let alt = escaped(&format!("Chart. {title}.{best}"));
+        Ok(format!(
+            "<a href=\"{file}\"><img src=\"{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\"></a>"
+        ))
     }
 
     /// The chapter with all edits made.
@@ -302,6 +310,21 @@ impl Writer<'_> {
         self.page.markdown.push_str(&self.source[at..]);
         self.page
     }
+}
+
+/// The words of a chart that are written largest, and its width and height.
+fn chart_title(svg: &str) -> Option<(String, [String; 2])> {
+    let document = roxmltree::Document::parse(svg).ok()?;
+    let size = |node: &roxmltree::Node| node.attribute("font-size").and_then(|size| size.parse::<f64>().ok());
+    let words =
+        document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
+    let title = words.filter(|node| size(node).is_some()).max_by(|a, b| {
+        let [a, b] = [a, b].map(|node| size(node).unwrap_or_default());
+        a.total_cmp(&b)
+    })?;
+    let root = document.root_element();
+    let side = |name| root.attribute(name).map(String::from);
+    Some((title.text()?.trim().to_string(), [side("width")?, side("height")?]))
 }
 
 fn ensure_margin(at_margin: bool, what: &str) -> Result<(), String> {
@@ -372,6 +395,7 @@ mod tests {
             ("{{value t a speed}}", "no column `speed`"),
             ("{{ratio t a c error}}", "no row `c`"),
             ("{{results t method=Method speed=Speed}}", "no column `speed`"),
+            ("{{insert none}}", "there is no charts/none.md"),
             ("{{methods 99-none}}", "there is no table `99-none`"),
             ("{{nonsense}}", "means nothing here"),
             ("![dot](dot.png)", "show a figure"),
@@ -383,6 +407,14 @@ mod tests {
             assert!(fault.message.contains(said) && !fault.message.contains('\n'), "{source}: {fault}");
             assert!(made.markdown.contains("class=\"fault\""), "{source}");
         }
+    }
+
+    #[test]
+    fn a_chart_is_told_by_its_title() {
+        let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='7'><text font-size='3'>a</text>\
+                   <text font-size='21'>\nThe title\n</text><text font-size='4'>b</text></svg>";
+        assert_eq!(chart_title(svg), Some(("The title".into(), ["10".into(), "7".into()])));
+        assert_eq!(chart_title("<svg/>"), None);
     }
 
     #[test]

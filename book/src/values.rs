@@ -62,22 +62,11 @@ impl Table {
         Ok(format!("{:.*}", digits as usize, (ratio * scale).round() / scale))
     }
 
-    /// What the table's chart shows, in words.
-    pub(crate) fn in_words(&self) -> String {
-        let mut methods: Vec<&str> =
-            self.rows.iter().filter_map(|row| row.first()).map(String::as_str).collect();
-        methods.dedup();
-        let Some(at) = self.columns.iter().position(|name| name == "frontier") else {
-            return format!(
-                "Chart: how the error of {} grows with the {}.",
-                methods.join(", "),
-                self.columns[1]
-            );
-        };
-        let best: Vec<&str> =
-            self.rows.iter().filter(|row| row[at] == "true").map(|row| row[0].as_str()).collect();
-        let (all, best) = (methods.join(", "), best.join(", "));
-        format!("Chart: speed against error of {all}. None is both faster and more accurate than {best}.")
+    /// The methods that no other one of the table beats in both speed and accuracy, if that was measured.
+    pub(crate) fn best(&self) -> Vec<&str> {
+        let at = self.columns.iter().position(|name| name == "frontier");
+        let is_best = |row: &&Vec<String>| at.is_some_and(|at| row[at] == "true");
+        self.rows.iter().filter(is_best).map(|row| row[0].as_str()).collect()
     }
 
     /// Columns of the table under other names, as Markdown.
@@ -158,16 +147,12 @@ mod tests {
     }
 
     #[test]
-    fn a_chart_is_told_in_words() {
-        assert_eq!(table().in_words(), "Chart: how the error of a, b, c grows with the stress.");
-        let mut best = table();
-        best.columns[1] = "frontier".into();
-        best.rows[2][1] = "true".into();
-        assert!(
-            best.in_words().ends_with("None is both faster and more accurate than b."),
-            "{}",
-            best.in_words()
-        );
+    fn the_best_are_those_on_the_frontier() {
+        assert_eq!(table().best(), [""; 0]);
+        let mut measured = table();
+        measured.columns[1] = "frontier".into();
+        measured.rows[2][1] = "true".into();
+        assert_eq!(measured.best(), ["b"]);
     }
 
     #[test]

@@ -104,6 +104,8 @@ pub type Render = fn(&Scene, &mut Target) -> usize;
 pub struct Rendering {
     /// What it needs of the model; with texture coordinates it needs a texture, too.
     pub needs: Attributes,
+    /// Bytes that it interpolates for each pixel.
+    pub interpolated: usize,
     /// Draws by the loop compiled for this shader.
     pub generic: Render,
     /// Draws by the loop that calls any shader.
@@ -118,6 +120,7 @@ macro_rules! look {
         }
         Rendering {
             needs: $needs,
+            interpolated: size_of::<(<$source as Source>::Varying, <$lighting as Lighting>::Varying)>(),
             generic: |scene, target| render(&mut program(scene), scene.model.faces().len(), target),
             dynamic: |scene, target| {
                 let program: &mut dyn Program = &mut program(scene);

@@ -10,6 +10,8 @@
 //! | [`matrix`] | the inverse of a matrix, in rational numbers |
 //! | [`turn`] | rotations about an axis, in `f64` |
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
+//! | [`vertex`] | the pixel of a model's vertex, in whole numbers |
+//! | [`render`] | a lit scene under a camera, in `f64`, with as many samples a pixel as wanted |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
@@ -21,9 +23,11 @@ pub mod coverage;
 pub mod matrix;
 pub mod missions;
 pub mod picture;
+pub mod render;
 pub mod segment;
 pub mod sphere;
 pub mod texel;
 pub mod turn;
+pub mod vertex;
 pub mod view;
 pub mod visibility;

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use common::IVec2;
+use common::{Bounds, IVec2, Vec2Swizzles};
 
 /// How the pixels of a drawn segment lie.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,10 +47,14 @@ struct Axes {
 
 impl Axes {
     fn new(a: IVec2, b: IVec2) -> Self {
-        let [dx, dy] = [i128::from(b.x) - i128::from(a.x), i128::from(b.y) - i128::from(a.y)];
+        Self::between(a.to_array().map(i128::from), b.to_array().map(i128::from))
+    }
+
+    fn between([ax, ay]: [i128; 2], [bx, by]: [i128; 2]) -> Self {
+        let [dx, dy] = [bx - ax, by - ay];
         let steep = dy.abs() > dx.abs();
         let order = |x: i128, y: i128| if steep { [y, x] } else { [x, y] };
-        Self { steep, start: order(a.x.into(), a.y.into()), extent: order(dx, dy) }
+        Self { steep, start: order(ax, ay), extent: order(dx, dy) }
     }
 
     /// Steps from the start, counted towards the end; and the distance's numerator over the segment's
@@ -117,13 +121,83 @@ pub fn largest_smooth(a: IVec2, b: IVec2, pixels: &[(i32, i32, u8)]) -> f64 {
     if whole { largest as f64 / 255.0 / axes.length().max(1) as f64 } else { f64::INFINITY }
 }
 
+/// How far drawn pixels and the ideal line are apart, in px: the largest distance and the mean over the steps.
+///
+/// The distance at a step is that of its farthest pixel or, where pixels are covered in part, of their centre
+/// of mass. A step without a pixel is as far away as the nearest step that has one; where nothing is drawn, all
+/// are infinitely far. Pixels beyond the ends count for the largest distance only.
+#[must_use]
+pub fn distances(a: IVec2, b: IVec2, pixels: &[(i32, i32, u8)]) -> (f64, f64) {
+    let axes = Axes::new(a, b);
+    let (length, unit) = (axes.length(), axes.length().max(1) as f64);
+    let mut steps: Vec<Option<f64>> = vec![None; length as usize + 1];
+    let mut shared: BTreeMap<i128, (i128, i128)> = BTreeMap::new();
+    let mut largest = 0.0_f64;
+    for &(x, y, coverage) in pixels {
+        let [major, minor] = if axes.steep { [y, x] } else { [x, y] }.map(i128::from);
+        if coverage < 255 {
+            let (total, moment) = shared.entry(major).or_default();
+            *total += i128::from(coverage);
+            *moment += minor * i128::from(coverage);
+            continue;
+        }
+        let (step, off) = axes.locate(major, minor, 1);
+        let off = off as f64 / unit;
+        match usize::try_from(step).ok().and_then(|step| steps.get_mut(step)) {
+            Some(distance) => *distance = Some(distance.map_or(off, |other| other.max(off))),
+            None => largest = largest.max((step - length).max(-step) as f64),
+        }
+    }
+    for (major, (total, moment)) in shared {
+        let (step, off) = axes.locate(major, moment, total);
+        if let Some(distance) = usize::try_from(step).ok().and_then(|step| steps.get_mut(step)) {
+            *distance = Some(off as f64 / total as f64 / unit);
+        }
+    }
+    // Once from either end, how many steps ago there was a pixel.
+    let mut since = vec![f64::INFINITY; steps.len()];
+    let (mut forth, mut back) = (f64::INFINITY, f64::INFINITY);
+    for n in 0..steps.len() {
+        let mirrored = steps.len() - 1 - n;
+        forth = if steps[n].is_some() { 0.0 } else { forth + 1.0 };
+        back = if steps[mirrored].is_some() { 0.0 } else { back + 1.0 };
+        since[n] = since[n].min(forth);
+        since[mirrored] = since[mirrored].min(back);
+    }
+    let distance = |n: usize| steps[n].unwrap_or(since[n]);
+    let sum: f64 = (0..steps.len()).map(distance).sum();
+    ((0..steps.len()).map(distance).fold(largest, f64::max), sum / steps.len() as f64)
+}
+
 /// Whether an ideal algorithm draws the pixel (x, y): its centre is less than ½ px from the line, or exactly
 /// ½ px on the side of the end that comes first along the major axis.
 #[must_use]
 pub fn draws(a: IVec2, b: IVec2, x: i32, y: i32) -> bool {
-    Axes::new(a, b)
-        .above(x, y)
-        .is_some_and(|(above, length)| -length <= 2 * above && 2 * above < length.max(1))
+    Axes::new(a, b).draws(x, y)
+}
+
+/// The pixels that an ideal algorithm draws in the bounds; the ends may lie anywhere up to ±2⁵⁰.
+#[must_use]
+pub fn pixels(a: [i128; 2], b: [i128; 2], bounds: Bounds) -> Vec<(i32, i32)> {
+    let axes = Axes::between(a, b);
+    let [low, high] = if axes.steep { [bounds.min.yx(), bounds.max.yx()] } else { [bounds.min, bounds.max] };
+    let slope = axes.extent[1] as f64 / axes.extent[0] as f64;
+    let mut pixels = Vec::new();
+    for major in low.x..=high.x {
+        // Where about the pixel is; `draws` then decides which one. A segment of one pixel has no slope.
+        let along = (i128::from(major) - axes.start[0]) as f64;
+        let risen = if slope.is_finite() { along * slope } else { 0.0 };
+        let about = axes.start[1] + risen.round() as i128;
+        for minor in about - 1..=about + 1 {
+            if i128::from(low.y) <= minor && minor <= i128::from(high.y) {
+                let (x, y) = if axes.steep { (minor as i32, major) } else { (major, minor as i32) };
+                if axes.draws(x, y) {
+                    pixels.push((x, y));
+                }
+            }
+        }
+    }
+    pixels
 }
 
 /// How much of the pixel (x, y) a smooth line takes: 1 less its distance from the line in px, at least 0.
@@ -134,6 +208,11 @@ pub fn smooth_share(a: IVec2, b: IVec2, x: i32, y: i32) -> f64 {
 }
 
 impl Axes {
+    /// See [`draws`].
+    fn draws(&self, x: i32, y: i32) -> bool {
+        self.above(x, y).is_some_and(|(above, length)| -length <= 2 * above && 2 * above < length.max(1))
+    }
+
     /// How far a pixel lies beyond the line, seen from the first end along the major axis, with the
     /// segment's length as the unit; and that length. `None` before the first end and behind the second.
     fn above(&self, x: i32, y: i32) -> Option<(i128, i128)> {
@@ -192,6 +271,33 @@ mod tests {
             }
         }
         assert!(draws(A, A, 2, 1) && !draws(A, A, 2, 0) && !draws(A, A, 2, 2) && !draws(A, A, 3, 1));
+    }
+
+    #[test]
+    fn what_is_missing_is_as_far_as_what_is_there() {
+        let b = IVec2::new(6, 1);
+        let at = |xs: &[i32]| xs.iter().map(|&x| (x, 1, 255)).collect::<Vec<_>>();
+        assert_eq!(distances(A, b, &at(&[2, 3, 4, 5, 6])), (0.0, 0.0));
+        assert_eq!(distances(A, b, &at(&[2, 6])), (2.0, 4.0 / 5.0));
+        assert_eq!(distances(A, b, &at(&[2, 3, 4, 5, 6, 9])), (3.0, 0.0));
+        assert_eq!(distances(A, b, &[]), (f64::INFINITY, f64::INFINITY));
+        assert_eq!(distances(A, A, &[(2, 4, 255)]), (3.0, 3.0));
+        let smooth = [(2, 1, 255), (3, 1, 127), (3, 2, 128), (4, 2, 255)];
+        assert!((distances(A, IVec2::new(4, 2), &smooth).0 - 0.5 / 255.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn all_the_pixels_are_those_that_are_drawn() {
+        let bounds = Bounds { min: IVec2::new(-3, -4), max: IVec2::new(6, 5) };
+        for n in 0..6_i32.pow(4) {
+            let [ax, ay, bx, by] = [n % 6, n / 6 % 6, n / 36 % 6, n / 216].map(|n| 3 * n - 7);
+            let (a, b) = (IVec2::new(ax, ay), IVec2::new(bx, by));
+            let all = (-3..=6).flat_map(|x| (-4..=5).map(move |y| (x, y)));
+            let expected: Vec<_> = all.filter(|&(x, y)| draws(a, b, x, y)).collect();
+            let mut got = pixels([ax, ay].map(i128::from), [bx, by].map(i128::from), bounds);
+            got.sort_unstable();
+            assert_eq!(got, expected, "{a} to {b}");
+        }
     }
 
     #[test]
