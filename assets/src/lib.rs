@@ -4,13 +4,19 @@
 //! |---|---|
 //! | [`mesh`] | [`Mesh`](mesh::Mesh): triangles with normals and texture coordinates, written as OBJ |
 //! | [`sphere`] | `sphere.obj`, 5,000 triangles |
+//! | [`cube`] | `cube.obj`, the whole texture on each face |
+//! | [`torus_knot`] | `torus-knot.obj`, a knotted tube |
+//! | [`head`] | `head.obj` and `head.tga`, the face of the course |
 //! | [`wood`] | `crate.png`, a painted wooden box |
 //!
 //! The same bytes come out on every platform: sines come from `libm`, square roots and the four operations
 //! are exact by IEEE 754, randomness is seeded. A test makes everything again and compares.
 
+pub mod cube;
+pub mod head;
 pub mod mesh;
 pub mod sphere;
+pub mod torus_knot;
 pub mod wood;
 
 use common::file::Encoding;
@@ -26,5 +32,9 @@ pub struct Asset {
 /// Every file that this crate makes.
 pub const ASSETS: &[Asset] = &[
     Asset { name: "sphere.obj", make: || sphere::sphere(51, 50).to_obj().into_bytes() },
+    Asset { name: "cube.obj", make: || cube::cube().to_obj().into_bytes() },
+    Asset { name: "torus-knot.obj", make: || torus_knot::torus_knot(240, 12).to_obj().into_bytes() },
+    Asset { name: "head.obj", make: || head::model().to_obj().into_bytes() },
+    Asset { name: "head.tga", make: || head::texture().encode(Encoding::TgaRle).expect("it has pixels") },
     Asset { name: "crate.png", make: || wood::crate_side(256).encode(Encoding::Png).expect("it has pixels") },
 ];

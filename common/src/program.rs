@@ -17,7 +17,7 @@ use crate::compare::{Difference, side_by_side};
 use crate::{Attributes, Color, Error, Format, Image, Method, Model, file, preview};
 
 /// The model that lessons draw unless told otherwise.
-pub const DEFAULT_MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
+pub const DEFAULT_MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.obj");
 
 /// The texture of the head.
 const DEFAULT_TEXTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga");

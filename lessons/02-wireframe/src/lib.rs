@@ -1,6 +1,6 @@
 //! Lesson 2: a model's edges.
 //!
-//! **You will see** a model of 5,000 triangles as if it were bent from wire. **New:** a model is a list of
+//! **You will see** a head of 5,888 triangles as if it were bent from wire. **New:** a model is a list of
 //! points and a list of triangles that share them; and points in space become pixels.
 //!
 //! The job: draw the sides of every triangle. From lesson 1 comes [`lines::line`]. Nothing is hidden yet, and
