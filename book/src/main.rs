@@ -26,6 +26,7 @@ mod values;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use anyhow::Context;
 use clap::{Parser, Subcommand};
 
 /// Where the book is built.
@@ -105,7 +106,9 @@ fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn build(out: &Path) -> anyhow::Result<()> {
-    html::build(out)?;
+    std::fs::create_dir_all(out).with_context(|| format!("cannot create {}", out.display()))?;
+    let out = out.canonicalize()?;
+    html::build(&out)?;
     println!("{}", out.join("index.html").display());
     Ok(())
 }

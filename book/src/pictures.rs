@@ -16,11 +16,7 @@ const PICTURES: &[(&str, &str, &[&str])] = &[
     ("03-triangles.png", "triangles", &[]),
     ("03-triangles-random.png", "triangles", &["--model", "--fill", "random"]),
     ("03-triangles-flat.png", "triangles", &["--model"]),
-    (
-        "head.png",
-        "shaders",
-        &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"],
-    ),
+    ("head.png", "shaders", &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"]),
 ];
 
 /// Draws every picture into a folder, which must exist.
