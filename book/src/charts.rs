@@ -103,26 +103,42 @@ pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
     if flags.second_seed {
         return second_seed(&charts, effort);
     }
-    let folder = folder(flags)?;
+    measure_into(&folder(flags)?, &charts, effort, flags.lesson.is_none())
+}
+
+/// Measures those of the book's charts that are not there.
+pub(crate) fn measure_missing(quick: bool) -> anyhow::Result<()> {
+    let folder = Path::new(COMMITTED);
+    let is_missing = |name: &str| !folder.join(format!("{name}.svg")).is_file();
+    let missing: Vec<&Chart> = CHARTS.iter().filter(|chart| is_missing(chart.name)).collect();
+    let scenes =
+        ["needs-outline", "needs-shading", "finish", "finish-flip"].iter().any(|name| is_missing(name));
+    if missing.is_empty() && !scenes {
+        return Ok(());
+    }
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    measure_into(folder, &missing, Effort { quick, seed: 1 }, scenes)
+}
+
+/// Measures charts into a folder and, if asked, whole scenes.
+fn measure_into(folder: &Path, charts: &[&Chart], effort: Effort, scenes: bool) -> anyhow::Result<()> {
     let machine = Machine::find(effort)?;
-    let bar = progress(charts.len() * 4 + if flags.lesson.is_none() { 2 } else { 0 })?;
+    let bar = progress(charts.len() * 4 + if scenes { 2 } else { 0 })?;
     for chart in charts {
-        measure(chart, effort, &machine, &folder, &bar)?;
+        measure(chart, effort, &machine, folder, &bar)?;
         bar.suspend(|| println!("{}", folder.join(chart.name).with_extension("svg").display()));
     }
-    if flags.lesson.is_none() {
+    if scenes {
         bar.set_message("no more than the scene needs");
-        needs::measure(effort, &machine, &folder)?;
+        needs::measure(effort, &machine, folder)?;
         bar.inc(1);
         bar.set_message("the finished picture");
-        finish::measure(effort, &machine, &folder)?;
+        finish::measure(effort, &machine, folder)?;
         bar.inc(1);
-    }
-    if flags.lesson.is_none() {
-        if same(&folder, Path::new(COMMITTED)) {
+        if same(folder, Path::new(COMMITTED)) {
             write_summary()?;
         } else {
-            summary::write(CHARTS, &folder)?;
+            summary::write(CHARTS, folder)?;
         }
     }
     bar.finish_and_clear();

@@ -2,6 +2,7 @@
 //!
 //! Run it with `cargo run -p common --example pixel`; it writes `out/pixel.png`.
 
+// ANCHOR: pixel
 use common::{Color, Format, Image};
 use std::path::Path;
 
@@ -12,3 +13,4 @@ fn main() -> anyhow::Result<()> {
     image.write(Path::new("out/pixel.png"))?;
     Ok(())
 }
+// ANCHOR_END: pixel

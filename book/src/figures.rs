@@ -1,0 +1,138 @@
+//! The book's figures: drawn anew whenever the book is built, by the course's own code.
+//!
+//! A figure is a row of a table `FIGURES` in the file of its chapter: a name, what a reader who cannot see it
+//! is told, and the function that draws it. A page shows it with `{{figure name}}`.
+
+mod front;
+mod lines;
+mod sheet;
+mod wrong;
+
+use std::panic::Location;
+use std::path::Path;
+
+use common::compare::side_by_side;
+use common::program::DEFAULT_MODEL;
+use common::{Attributes, Image, Model};
+
+use sheet::Sheet;
+
+/// Every figure of the book.
+pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
+    [front::FIGURES, lines::FIGURES, wrong::FIGURES].into_iter().flatten()
+}
+
+/// One figure.
+pub(crate) struct Figure {
+    /// Of its file, without ending.
+    pub(crate) name: &'static str,
+    /// What it shows, for those who do not see it.
+    pub(crate) alt: &'static str,
+    /// Draws it.
+    pub(crate) draw: fn() -> anyhow::Result<Drawing>,
+    /// Its row, for a message about it.
+    pub(crate) row: &'static Location<'static>,
+}
+
+impl Figure {
+    #[track_caller]
+    const fn new(name: &'static str, alt: &'static str, draw: fn() -> anyhow::Result<Drawing>) -> Self {
+        Self { name, alt, draw, row: Location::caller() }
+    }
+}
+
+/// The lessons' model, with all that it has.
+fn model() -> anyhow::Result<Model> {
+    Ok(Model::read(Path::new(DEFAULT_MODEL), Attributes { normals: true, uvs: true })?)
+}
+
+/// Pictures side by side, as wide as a page.
+fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
+    const WIDTH: u16 = 900;
+    let sheet = side_by_side(pictures).map_err(anyhow::Error::msg)?;
+    let height = sheet.height() * i32::from(WIDTH) / sheet.width().max(1);
+    Ok(Drawing::Pixels(sheet.scale(WIDTH, height as u16), 1))
+}
+
+/// What was drawn.
+pub(crate) enum Drawing {
+    /// Lines and letters.
+    Svg(Sheet),
+    /// Pixels, each to be shown as so many by so many.
+    Pixels(Image, u16),
+}
+
+impl From<Sheet> for Drawing {
+    fn from(sheet: Sheet) -> Self {
+        Self::Svg(sheet)
+    }
+}
+
+impl Drawing {
+    /// The ending of its file's name.
+    pub(crate) fn ending(&self) -> &'static str {
+        match self {
+            Self::Svg(_) => "svg",
+            Self::Pixels(..) => "png",
+        }
+    }
+
+    /// Width and height at which a page shows it.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        match self {
+            Self::Svg(sheet) => sheet.size(),
+            Self::Pixels(image, factor) => {
+                let side = |pixels: i32| pixels.unsigned_abs() * u32::from(*factor);
+                (side(image.width()), side(image.height()))
+            }
+        }
+    }
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// Where the file cannot be written.
+    pub(crate) fn write(&self, path: &Path) -> anyhow::Result<()> {
+        match self {
+            Self::Svg(sheet) => common::file::write_whole(path, sheet.to_string().as_bytes())?,
+            Self::Pixels(image, factor) => {
+                let side = |pixels: i32| pixels as u16 * factor;
+                image.scale(side(image.width()), side(image.height())).write(path)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_figure_can_be_drawn_and_told() {
+        let mut names = std::collections::BTreeSet::new();
+        for figure in all() {
+            assert!(names.insert(figure.name), "{}: two figures have this name", figure.name);
+            assert!(figure.alt.len() > 20, "{}: what does it show?", figure.name);
+            let drawing = (figure.draw)().unwrap_or_else(|error| panic!("{}: {error:#}", figure.name));
+            let (width, height) = drawing.size();
+            assert!(
+                (200..=900).contains(&width) && (60..=900).contains(&height),
+                "{}: {width}x{height}",
+                figure.name
+            );
+        }
+    }
+
+    #[test]
+    fn figures_are_the_same_in_every_run() {
+        let draw = || -> Vec<String> {
+            let svg = |figure: &Figure| match (figure.draw)().unwrap() {
+                Drawing::Svg(sheet) => sheet.to_string(),
+                Drawing::Pixels(image, _) => format!("{:?}", image.buffer()),
+            };
+            all().map(svg).collect()
+        };
+        assert!(draw() == draw());
+    }
+}

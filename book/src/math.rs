@@ -1,0 +1,88 @@
+//! Formulas: `LaTeX` in the source, `MathML` in the page, which browsers lay out without a script.
+
+use pulldown_latex::config::DisplayMode;
+use pulldown_latex::{Parser, ParserError, RenderConfig, Storage, push_mathml};
+
+/// A formula as `MathML`, on a line of its own if `display`. It can stand anywhere in Markdown.
+///
+/// # Errors
+/// What cannot be read, in one line.
+pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
+    let storage = Storage::new();
+    let events: Result<Vec<_>, _> = Parser::new(latex, &storage).collect();
+    let events = events.map_err(|error| one_line(&error))?;
+    let display_mode = if display { DisplayMode::Block } else { DisplayMode::Inline };
+    let mut html = String::new();
+    let config = RenderConfig { display_mode, ..RenderConfig::default() };
+    push_mathml(&mut html, events.into_iter().map(Ok::<_, ParserError>), config)
+        .map_err(|error| error.to_string())?;
+    // A space that LaTeX writes as `\ ` or `~` comes out escaped twice.
+    let html = html.replace("&amp;nbsp;", "&nbsp;");
+    Ok(guarded(&html))
+}
+
+/// The first line of the parser's message; the others show the place by indentation.
+fn one_line(error: &ParserError) -> String {
+    let message = error.to_string();
+    let lines: Vec<&str> = message.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    lines.join(" ")
+}
+
+/// Writes what Markdown would take for markup, outside of tags, as character references.
+fn guarded(html: &str) -> String {
+    let mut guarded = String::with_capacity(html.len());
+    let mut in_tag = false;
+    for c in html.chars() {
+        match c {
+            '<' => in_tag = true,
+            '>' if in_tag => in_tag = false,
+            '\n' => {
+                guarded.push(' ');
+                continue;
+            }
+            _ if !in_tag && c.is_ascii_punctuation() && !matches!(c, '&' | ';' | '#' | '>') => {
+                guarded.push_str(&format!("&#{};", u32::from(c)));
+                continue;
+            }
+            _ => {}
+        }
+        guarded.push(c);
+    }
+    guarded
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_chapters_need_is_understood() {
+        for latex in [
+            r"\begin{pmatrix} 1 & 0 \\ 0 & \cos\theta \end{pmatrix}",
+            r"\begin{aligned} a &= b + c \\ &= d \end{aligned}",
+            r"\overrightarrow{AB} \cdot \vec{u}_\parallel \times \hat{n}",
+            r"f(x) = \begin{cases} 1 & x > 0 \\ 0 & \text{otherwise} \end{cases}",
+            r"a\ b~c\text{ d }",
+            r"\left\lfloor \frac{2 i \cdot r + n - 1}{2 n} \right\rfloor \le \lceil x \rceil",
+        ] {
+            let html = mathml(latex, true).unwrap();
+            assert!(html.starts_with("<math") && !html.contains('\n') && !html.contains("&amp;"), "{html}");
+        }
+    }
+
+    #[test]
+    fn markdown_finds_no_markup_in_a_formula() {
+        let html = mathml(r"a * b_1 [c] | d", false).unwrap();
+        let text: String =
+            html.split('<').filter_map(|part| part.split_once('>')).map(|part| part.1).collect();
+        assert!(!text.contains(['*', '_', '[', '|']), "{text}");
+    }
+
+    #[test]
+    fn a_broken_formula_is_an_error_of_one_line() {
+        for latex in [r"\frac{1}{", r"\nonsense", r"{a", r"a &"] {
+            let error = mathml(latex, false).unwrap_err();
+            assert!(!error.is_empty() && !error.contains('\n'), "{latex}: {error}");
+        }
+    }
+}

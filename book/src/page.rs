@@ -1,0 +1,427 @@
+//! From a chapter as written to the Markdown that mdBook understands: formulas, quoted code, figures, measured
+//! values and tables of methods are put in their places.
+//!
+//! | in a chapter | becomes |
+//! |---|---|
+//! | `$a^2$`, `$$a^2$$` | a formula, in the line or on its own |
+//! | a code block that holds `{{#include PATH:ANCHOR}}` | the code, quoted under its file's name |
+//! | the same with `{{#include PATH:ANCHOR since [PATH:]ANCHOR}}` | with the lines marked that the other lacks |
+//! | `{{figure NAME}} Caption.` | the figure, the rest of the paragraph under it |
+//! | `{{chart NAME}} Caption.` | a chart of `charts/` |
+//! | `{{value TABLE ROW... COLUMN}}` | a cell of `charts/TABLE.csv` |
+//! | `{{ratio TABLE ROW OVER COLUMN}}` | how many times as large it is in one row as in another |
+//! | `{{results TABLE COLUMN=Heading...}}` | columns of the table |
+//! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
+//! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use anyhow::{Context, bail, ensure};
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
+use regex::Regex;
+
+use crate::fault::Fault;
+use crate::markup::escaped;
+use crate::math::mathml;
+use crate::methods::TABLES;
+use crate::quote::Quote;
+use crate::values::{Table, spelled};
+
+/// A figure as a page needs it.
+pub(crate) struct Shown {
+    /// Its file's name.
+    pub(crate) file: String,
+    /// What it shows, in words.
+    pub(crate) alt: &'static str,
+    /// Width and height on the page.
+    pub(crate) size: (u32, u32),
+}
+
+/// What a page can draw on.
+pub(crate) struct Sources<'a> {
+    /// The folder of the chapters.
+    pub(crate) chapters: &'a Path,
+    /// The figures by name.
+    pub(crate) figures: &'a BTreeMap<&'static str, Shown>,
+}
+
+/// A link to another place of the book.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Link {
+    /// The line in which it stands.
+    pub(crate) line: usize,
+    /// As written.
+    pub(crate) target: String,
+}
+
+/// A chapter made ready.
+#[derive(Default)]
+pub(crate) struct Page {
+    /// For mdBook. What was wrong is marked in its place.
+    pub(crate) markdown: String,
+    /// What was wrong.
+    pub(crate) faults: Vec<Fault>,
+    /// Where it points to.
+    pub(crate) links: Vec<Link>,
+    /// The figures that it shows.
+    pub(crate) figures: BTreeSet<String>,
+}
+
+static DIRECTIVE: LazyLock<Regex> =
+    LazyLock::new(|| Regex::new(r"\{\{([^{}]*)\}\}").expect("the pattern is right"));
+
+/// A chapter in the making.
+struct Writer<'a> {
+    file: &'a str,
+    source: &'a str,
+    sources: &'a Sources<'a>,
+    page: Page,
+    /// What to put in the place of what.
+    edits: Vec<(Range<usize>, String)>,
+}
+
+/// Makes a chapter ready. `file` is its path from the repository's root.
+pub(crate) fn expand(file: &str, source: &str, sources: &Sources) -> Page {
+    let mut writer = Writer { file, source, sources, page: Page::default(), edits: Vec::new() };
+    let elsewhere = writer.formulas_and_code();
+    writer.directives(&elsewhere);
+    writer.finish()
+}
+
+impl Writer<'_> {
+    fn line(&self, at: usize) -> usize {
+        self.source[..at].matches('\n').count() + 1
+    }
+
+    /// Notes what is wrong and returns a mark for the page.
+    fn fault(&mut self, at: usize, message: String) -> String {
+        let mark = format!("<strong class=\"fault\">{}</strong>", escaped(&message));
+        let line = self.line(at);
+        self.page.faults.push(Fault { file: self.file.into(), line, message });
+        mark
+    }
+
+    fn put(&mut self, range: Range<usize>, made: Result<String, String>) {
+        let text = made.unwrap_or_else(|message| self.fault(range.start, message));
+        self.edits.push((range, text));
+    }
+
+    /// Whether something begins at the left margin, where HTML can take its place.
+    fn is_at_margin(&self, at: usize) -> bool {
+        at == 0 || self.source.as_bytes()[at - 1] == b'\n'
+    }
+
+    /// Replaces formulas and quoted code, notes links and images. Returns where no directive is to be looked for.
+    fn formulas_and_code(&mut self) -> Vec<Range<usize>> {
+        let mut elsewhere = Vec::new();
+        let options = Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
+        for (event, range) in Parser::new_ext(self.source, options).into_offset_iter() {
+            match event {
+                Event::InlineMath(latex) => {
+                    self.put(range.clone(), mathml(&latex, false));
+                    elsewhere.push(range);
+                }
+                Event::DisplayMath(latex) => {
+                    let made = mathml(&latex, true).and_then(|math| {
+                        ensure_margin(self.is_at_margin(range.start), "a formula on its own")?;
+                        Ok(format!("\n\n<div class=\"formula\" tabindex=\"0\">{math}</div>\n\n"))
+                    });
+                    self.put(range.clone(), made);
+                    elsewhere.push(range);
+                }
+                Event::Start(Tag::CodeBlock(kind)) => {
+                    let text = &self.source[range.clone()];
+                    if let (true, CodeBlockKind::Fenced(language)) = (text.contains("{{#"), kind) {
+                        let made = self.quote(text, &language, self.is_at_margin(range.start));
+                        self.put(range.clone(), made.map_err(|error| format!("{error:#}")));
+                    }
+                    elsewhere.push(range);
+                }
+                Event::Code(_) => elsewhere.push(range),
+                // Braces that do not match keep the parser from seeing a formula.
+                Event::Text(text) if text.contains('$') && !self.source[..range.start].ends_with('\\') => {
+                    let mark = self
+                        .fault(range.start, "a `$` begins or ends no formula; as a sign, write `\\$`".into());
+                    self.edits.push((range, mark));
+                }
+                Event::Start(Tag::Link { dest_url, .. }) => self.link(range.start, &dest_url),
+                Event::Start(Tag::Image { .. }) => {
+                    let mark = self.fault(range.start, "an image: show a figure, {{figure NAME}}".into());
+                    self.edits.push((range.clone(), mark));
+                    elsewhere.push(range);
+                }
+                Event::Html(html) | Event::InlineHtml(html) if html.contains("<img") => {
+                    let mark = self.fault(range.start, "an <img>: show a figure, {{figure NAME}}".into());
+                    self.edits.push((range.clone(), mark));
+                }
+                _ => {}
+            }
+        }
+        elsewhere
+    }
+
+    fn link(&mut self, at: usize, target: &str) {
+        if !target.contains("://") && !target.starts_with("mailto:") {
+            let line = self.line(at);
+            self.page.links.push(Link { line, target: target.into() });
+        }
+    }
+
+    /// A code block whose only line is an include.
+    fn quote(&self, block: &str, language: &str, at_margin: bool) -> anyhow::Result<String> {
+        ensure!(at_margin, "quoted code must begin at the left margin");
+        let lines: Vec<&str> = block.lines().map(str::trim).collect();
+        let directive = match lines.as_slice() {
+            [_, line, _] => line.strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}")),
+            _ => None,
+        };
+        let words: Vec<&str> = directive.unwrap_or_default().split_whitespace().collect();
+        let (place, before) = match words.as_slice() {
+            [place] => (*place, None),
+            [place, "since", before] if before.contains(':') => (*place, Some((*before).to_string())),
+            [place, "since", anchor] => {
+                let path = place.rsplit_once(':').map_or(*place, |parts| parts.0);
+                (*place, Some(format!("{path}:{anchor}")))
+            }
+            _ => bail!(
+                "a quoting block holds one line, {{{{#include PATH:ANCHOR}}}}, perhaps with `since ANCHOR`"
+            ),
+        };
+        let read = |place: &str| Quote::read(self.sources.chapters, place);
+        let before = before.as_deref().map(read).transpose()?;
+        Ok(read(place)?.html(language, before.as_ref()))
+    }
+
+    /// Replaces what stands in double braces outside of code and formulas.
+    fn directives(&mut self, elsewhere: &[Range<usize>]) {
+        let source = self.source;
+        for found in DIRECTIVE.captures_iter(source) {
+            let whole = found.get_match().range();
+            if elsewhere.iter().any(|range| range.start <= whole.start && whole.end <= range.end) {
+                continue;
+            }
+            let words: Vec<&str> = found[1].split_whitespace().collect();
+            if let [kind @ ("figure" | "chart"), name] = words.as_slice() {
+                self.figure(kind, name, whole);
+                continue;
+            }
+            let made = self.inserted(&words).map_err(|error| format!("{error:#}"));
+            self.put(whole, made);
+        }
+    }
+
+    /// What a directive without caption stands for.
+    fn inserted(&self, words: &[&str]) -> anyhow::Result<String> {
+        let charts = self.sources.chapters.join("charts");
+        Ok(match words {
+            ["value", table, row @ .., column] => spelled(Table::read(&charts, table)?.cell(row, column)?),
+            ["ratio", table, row, over, column] => Table::read(&charts, table)?.ratio(row, over, column)?,
+            ["results", table, columns @ ..] => {
+                let named = columns.iter().map(|column| column.split_once('='));
+                let named: Option<Vec<(&str, String)>> =
+                    named.map(|pair| pair.map(|(column, name)| (column, name.replace('_', " ")))).collect();
+                let named = named.filter(|named| named.len() > 1);
+                let named =
+                    named.context("name two columns or more, as in method=Method error_max=Largest_error")?;
+                let named: Vec<(&str, &str)> =
+                    named.iter().map(|(column, name)| (*column, name.as_str())).collect();
+                Table::read(&charts, table)?.markdown(&named)?
+            }
+            ["insert", name] => {
+                let file = charts.join(name).with_extension("md");
+                std::fs::read_to_string(file).with_context(|| format!("there is no charts/{name}.md"))?
+            }
+            ["methods", name] => {
+                let table = TABLES.iter().find(|table| table.name == *name);
+                let names = || TABLES.iter().map(|table| table.name).collect::<Vec<_>>().join(", ");
+                table.with_context(|| format!("there is no table `{name}`, but {}", names()))?.markdown()
+            }
+            ["all-methods"] => {
+                let part =
+                    |table: &crate::methods::Methods| format!("### {}\n\n{}\n", table.job, table.markdown());
+                TABLES.iter().map(part).collect()
+            }
+            _ => bail!("`{{{{{}}}}}` means nothing here; book/src/page.rs says what does", words.join(" ")),
+        })
+    }
+
+    /// A figure with the rest of its paragraph as the caption.
+    fn figure(&mut self, kind: &str, name: &str, whole: Range<usize>) {
+        let rest = &self.source[whole.end..];
+        let end = whole.end + rest.find("\n\n").unwrap_or(rest.len());
+        let caption = !self.source[whole.end..end].trim().is_empty();
+        let image = if kind == "figure" { self.drawn(name) } else { self.chart(name) };
+        let image = image.and_then(|image| {
+            ensure_margin(self.is_at_margin(whole.start), "a figure")?;
+            if caption { Ok(image) } else { Err(format!("the figure `{name}` has no caption")) }
+        });
+        match image {
+            Ok(image) => {
+                let text = format!("<figure class=\"{kind}\">{image}<figcaption>\n\n");
+                self.edits.push((whole, text));
+                self.edits.push((end..end, "\n\n</figcaption></figure>".into()));
+            }
+            Err(message) => self.put(whole, Err(message)),
+        }
+    }
+
+    fn drawn(&mut self, name: &str) -> Result<String, String> {
+        let Shown { file, alt, size: (width, height) } = self
+            .sources
+            .figures
+            .get(name)
+            .ok_or_else(|| format!("there is no figure `{name}` in book/src/figures/"))?;
+        self.page.figures.insert(name.into());
+        let alt = escaped(alt);
+        Ok(format!("<img src=\"figures/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\">"))
+    }
+
+    /// A measured chart, which leads to its file: on a telephone it is small.
+    fn chart(&self, name: &str) -> Result<String, String> {
+        let (file, folder) = (format!("charts/{name}.svg"), self.sources.chapters.join("charts"));
+        let svg = std::fs::read_to_string(self.sources.chapters.join(&file))
+            .map_err(|_| format!("there is no {file}: cargo run --release -p book -- charts"))?;
+        let (title, [width, height]) =
+            chart_title(&svg).ok_or_else(|| format!("{file} has no title or no size"))?;
+        let best = Table::read(&folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
+        let best = if best.is_empty() { best } else { format!(" None beats these in both: {best}.") };
+        let alt = escaped(&format!("Chart. {title}.{best}"));
+        Ok(format!(
+            "<a href=\"{file}\"><img src=\"{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\"></a>"
+        ))
+    }
+
+    /// The chapter with all edits made.
+    fn finish(mut self) -> Page {
+        self.page.faults.sort();
+        self.page.faults.dedup();
+        self.edits.sort_by_key(|(range, _)| (range.start, range.end));
+        let mut at = 0;
+        for (range, text) in &self.edits {
+            if range.start >= at {
+                self.page.markdown.push_str(&self.source[at..range.start]);
+                self.page.markdown.push_str(text);
+                at = range.end;
+            }
+        }
+        self.page.markdown.push_str(&self.source[at..]);
+        self.page
+    }
+}
+
+/// The words of a chart that are written largest, and its width and height.
+fn chart_title(svg: &str) -> Option<(String, [String; 2])> {
+    let document = roxmltree::Document::parse(svg).ok()?;
+    let size = |node: &roxmltree::Node| node.attribute("font-size").and_then(|size| size.parse::<f64>().ok());
+    let words =
+        document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
+    let title = words.filter(|node| size(node).is_some()).max_by(|a, b| {
+        let [a, b] = [a, b].map(|node| size(node).unwrap_or_default());
+        a.total_cmp(&b)
+    })?;
+    let root = document.root_element();
+    let side = |name| root.attribute(name).map(String::from);
+    Some((title.text()?.trim().to_string(), [side("width")?, side("height")?]))
+}
+
+fn ensure_margin(at_margin: bool, what: &str) -> Result<(), String> {
+    if at_margin { Ok(()) } else { Err(format!("{what} must begin at the left margin")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A page of this source in a folder with one lesson file and one table.
+    fn page(source: &str) -> Page {
+        let folder = tempfile::tempdir().unwrap();
+        let chapters = folder.path().join("chapters");
+        std::fs::create_dir_all(chapters.join("charts")).unwrap();
+        let code =
+            "// ANCHOR: f\nfn f() {\n    g();\n}\n// ANCHOR_END: f\n// ANCHOR: none\n// ANCHOR_END: none\n";
+        std::fs::write(folder.path().join("lib.rs"), code).unwrap();
+        std::fs::write(chapters.join("charts/t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
+        let shown = Shown { file: "dot.svg".into(), alt: "A dot.", size: (480, 100) };
+        let figures = BTreeMap::from([("dot", shown)]);
+        expand("book/chapters/x.md", source, &Sources { chapters: &chapters, figures: &figures })
+    }
+
+    #[test]
+    fn everything_has_its_place() {
+        let made = page(
+            "A {{value t a error}}, {{ratio t a b error}} times $x$.\n\n{{figure dot}} See $y$\nhere.\n\n\
+             ```rust\n{{#include ../lib.rs:f}}\n```\n\n$$a = b$$\n\n{{results t method=Method error=Error}}\n\n\
+             {{methods 01-lines}}\n\nSee [there](y.md#z).\n",
+        );
+        assert_eq!(made.faults, []);
+        let text = &made.markdown;
+        for part in [
+            "A 0.5, 2.0 times <math",
+            "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"100\"><figcaption>\n\n See <math",
+            "here.\n\n</figcaption></figure>",
+            "<div class=\"quote-file\">lib.rs</div>\n\n<pre><code class=\"language-rust\">fn f() {\n    g();\n}\n</code>",
+            "<div class=\"formula\" tabindex=\"0\"><math",
+            "| Method | Error |\n|---|--:|\n| a | 0.5 |",
+            "| `bresenham` | exact",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        assert!(!text.contains("{{") && !text.contains('$'), "{text}");
+        assert_eq!(made.links, [Link { line: 16, target: "y.md#z".into() }]);
+        assert_eq!(made.figures, BTreeSet::from(["dot".into()]));
+    }
+
+    #[test]
+    fn every_mistake_is_told_with_file_and_line() {
+        for (source, said) in [
+            ("```rust\n{{#include ../lib.rs:g}}\n```", "there is no anchor `g`"),
+            ("```rust\n{{#include ../lib.rs:none}}\n```", "anchor `none` is empty"),
+            ("```rust\n{{#include ../none.rs:f}}\n```", "cannot read ../none.rs"),
+            ("```rust\n{{#include ../lib.rs}}\n```", "names no anchor"),
+            ("```rust\n{{#include ../lib.rs:f since g}}\n```", "there is no anchor `g`"),
+            ("```rust\nlet x;\n{{#include ../lib.rs:f}}\n```", "a quoting block holds one line"),
+            ("{{#include ../lib.rs:f}}", "means nothing here"),
+            ("$\\frac{1}{$", "begins or ends no formula"),
+            ("$\\nonsense$", "nonsense"),
+            ("Text $$x$$", "must begin at the left margin"),
+            ("{{figure none}} Caption.", "there is no figure `none`"),
+            ("{{figure dot}}", "has no caption"),
+            ("{{chart none}} Caption.", "there is no charts/none.svg"),
+            ("{{value none a error}}", "there is no table charts/none.csv"),
+            ("{{value t c error}}", "no row `c`"),
+            ("{{value t a speed}}", "no column `speed`"),
+            ("{{ratio t a c error}}", "no row `c`"),
+            ("{{results t method=Method speed=Speed}}", "no column `speed`"),
+            ("{{insert none}}", "there is no charts/none.md"),
+            ("{{methods 99-none}}", "there is no table `99-none`"),
+            ("{{nonsense}}", "means nothing here"),
+            ("![dot](dot.png)", "show a figure"),
+            ("<img src=\"dot.png\">", "show a figure"),
+        ] {
+            let made = page(&format!("One.\n\n{source}\n"));
+            let [fault] = made.faults.as_slice() else { panic!("{source}: {:?}", made.faults) };
+            assert!(fault.to_string().starts_with("book/chapters/x.md:3: "), "{fault}");
+            assert!(fault.message.contains(said) && !fault.message.contains('\n'), "{source}: {fault}");
+            assert!(made.markdown.contains("class=\"fault\""), "{source}");
+        }
+    }
+
+    #[test]
+    fn a_chart_is_told_by_its_title() {
+        let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='7'><text font-size='3'>a</text>\
+                   <text font-size='21'>\nThe title\n</text><text font-size='4'>b</text></svg>";
+        assert_eq!(chart_title(svg), Some(("The title".into(), ["10".into(), "7".into()])));
+        assert_eq!(chart_title("<svg/>"), None);
+    }
+
+    #[test]
+    fn code_and_formulas_may_hold_braces_and_dollars() {
+        let source = "`{{x}}` costs `$1` or \\$2.\n\n```rust\nformat!(\"{{}}\");\n```\n";
+        let made = page(source);
+        assert_eq!((made.faults, made.markdown), (vec![], source.into()));
+        assert_eq!(page("$\\frac{{a}}{b}$").faults, []);
+    }
+}
