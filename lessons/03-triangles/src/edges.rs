@@ -51,8 +51,7 @@ pub fn fill(corners: [Vec2; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, 
     }
     let row = move |Row { y, pixels, mut edges, right, per_area }: Row| {
         for x in pixels {
-            // What `i128` held exactly, sums of f64 may put just below 0.
-            visit(x as i32, y, (edges * per_area).as_vec3().max(Vec3::ZERO));
+            visit(x as i32, y, (edges * per_area).as_vec3());
             edges += right;
         }
     };
@@ -85,6 +84,8 @@ fn box_of([a, b, c]: [[i64; 2]; 3], bounds: Bounds) -> Bounds {
 
 /// Numbers in which whole ones are exact, as far as the scan needs them.
 trait Whole: Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// For how many pixels of a row the edge functions can be summed up in `f64` without rounding.
+    const SUMMED: i64;
     fn of(n: i64) -> Self;
     /// The quotient of two numbers that are not below 0, rounded down.
     fn over(self, by: Self) -> i64;
@@ -92,6 +93,7 @@ trait Whole: Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Mul<O
 }
 
 impl Whole for f64 {
+    const SUMMED: i64 = i64::MAX;
     fn of(n: i64) -> Self {
         n as f64
     }
@@ -105,6 +107,7 @@ impl Whole for f64 {
 }
 
 impl Whole for i128 {
+    const SUMMED: i64 = 1;
     fn of(n: i64) -> Self {
         n.into()
     }
@@ -159,7 +162,7 @@ impl<I: Whole> Edge<I> {
     }
 }
 
-/// The pixels of a row that a triangle covers.
+/// The pixels of a row that a triangle covers, or some of them.
 struct Row {
     y: i32,
     /// Their x.
@@ -191,10 +194,12 @@ fn scan<I: Whole>([a, b, c]: [[I; 2]; 3], bounds: Bounds, mut visit: impl FnMut(
     for y in bounds.min.y..=bounds.max.y {
         let (mut first, mut last) = (0, right - left);
         edges.iter().for_each(|edge| edge.narrow(&mut first, &mut last));
-        if first <= last {
+        while first <= last {
+            let next = first.saturating_add(I::SUMMED).min(last + 1);
             let start = edges.each_ref().map(|edge| (edge.row + I::of(first) * edge.right).to_f64());
-            let pixels = left + first..left + last + 1;
+            let pixels = left + first..left + next;
             visit(Row { y, pixels, edges: DVec3::from_array(start), right: steps, per_area });
+            first = next;
         }
         for edge in &mut edges {
             edge.row = edge.row + edge.up;

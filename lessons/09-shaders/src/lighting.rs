@@ -39,8 +39,9 @@ impl Lighting for Flat<'_> {
 
     #[inline]
     fn triangle(&self, face: usize) -> Option<f32> {
-        let corners = [0, 1, 2].map(|corner| self.scene.model.position(face, corner));
-        Some(flat_intensity(corners, self.scene.light)).filter(|&intensity| intensity >= 0.0)
+        let corner = |n| self.scene.model.position(face, n);
+        let intensity = flat_intensity([corner(0), corner(1), corner(2)], self.scene.light);
+        (intensity >= 0.0).then_some(intensity)
     }
 
     #[inline]

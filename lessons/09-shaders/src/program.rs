@@ -136,13 +136,13 @@ pub fn render<S: Shader>(shader: &S, faces: usize, target: &mut Target) -> usize
         // 1. The triangle's own step, which may reject it before anything is computed for its corners.
         let Some(constant) = shader.triangle(face) else { continue };
         // 2. The corners, and the division by w.
-        let [a, b, c] = [0, 1, 2].map(|corner| shader.vertex(face, corner));
+        let (a, b, c) = (shader.vertex(face, 0), shader.vertex(face, 1), shader.vertex(face, 2));
         let (clip, varyings) = ([a.0, b.0, c.0], [a.1, b.1, c.1]);
         if !clip.iter().all(|corner| corner.w > 1e-6) {
             left_out += 1;
             continue;
         }
-        let corners = clip.map(|corner| corner.xyz() / corner.w);
+        let corners = clip.map(|corner| (corner / corner.w).xyz());
         // 3. The pixels: depth test, colour, and only then the new depth. What is the same all over the triangle
         // moves into the closure, where the compiler sees that no pixel changes it.
         let z = Vec3::from_array(corners.map(|corner| corner.z));
