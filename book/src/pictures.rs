@@ -16,6 +16,12 @@ const PICTURES: &[(&str, &str, &[&str])] = &[
     ("03-triangles.png", "triangles", &[]),
     ("03-triangles-random.png", "triangles", &["--model", "--fill", "random"]),
     ("03-triangles-flat.png", "triangles", &["--model"]),
+    ("04-zbuffer.png", "zbuffer", &[]),
+    ("05-textures.png", "textures", &[]),
+    ("06-gouraud.png", "gouraud", &[]),
+    ("07-transforms.png", "transforms", &[]),
+    ("08-camera.png", "camera", &[]),
+    ("09-shaders.png", "shaders", &[]),
     ("head.png", "shaders", &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"]),
 ];
 
@@ -47,17 +53,22 @@ fn draw(lesson: &str, flags: &[&str]) -> anyhow::Result<Image> {
 
 #[cfg(test)]
 mod tests {
+    use checks::picture::faults;
+
     use super::*;
 
+    /// From lesson 7 on sines and fused multiplications differ between platforms by a rounding, which may give
+    /// a pixel at a side to its neighbour: one in 200 may differ.
     #[test]
     fn the_committed_pictures_are_what_the_lessons_draw() {
         let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("chapters/pictures");
         for (name, lesson, flags) in PICTURES {
-            let picture = Image::read(&committed.join(name)).ok();
-            assert!(
-                picture.as_ref() == Some(&draw(lesson, flags).unwrap()),
-                "{name} is out of date: run cargo run -p book -- pictures, and look at it"
-            );
+            let allowed = if *name < "07" { 0 } else { usize::from(SIZE) * usize::from(SIZE) / 200 };
+            let out_of_date = match Image::read(&committed.join(name)) {
+                Ok(picture) => faults(&picture, &draw(lesson, flags).unwrap(), 1).len() > allowed,
+                Err(_) => true,
+            };
+            assert!(!out_of_date, "{name} is out of date: run cargo run -p book -- pictures, and look at it");
         }
     }
 }

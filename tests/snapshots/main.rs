@@ -9,6 +9,7 @@
 //! rounded to the other side, and a pixel at a side or at a texel's border change hands.
 
 mod camera;
+mod defaults;
 mod gouraud;
 mod lines;
 mod shaders;
