@@ -224,7 +224,8 @@ fn drawing_allocates_nothing_per_triangle_or_fragment() {
         let image = Image::new(side, side, Format::Rgb);
         allocation_counter::measure(|| way(&all, image)).count_total
     };
-    let mut ways: Vec<(String, Box<dyn Fn(&Scene, Image)>)> = Vec::new();
+    type Way = Box<dyn Fn(&Scene, Image)>;
+    let mut ways: Vec<(String, Way)> = Vec::new();
     for shader in SHADERS {
         for way in METHODS {
             let draw = (way.run)(&shader.run);

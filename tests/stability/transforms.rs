@@ -34,9 +34,12 @@ impl Must {
 
 type Row = (&'static str, Must);
 
+/// A method's error in direction, and in lengths and right angles.
+type Composed = (&'static str, Must, Must);
+
 /// How many rotations by 1 radian about (1, 2, 3) are composed, and how far each method's matrix is from the
 /// rotation by the whole angle: in direction, then in lengths and right angles.
-const COMPOSED: &[(u32, &[(&str, Must, Must)])] = &[
+const COMPOSED: &[(u32, &[Composed])] = &[
     (
         1,
         &[

@@ -198,7 +198,7 @@ fn ratios(_: &mut Criterion) {
         let draw = |name: &str, length| {
             let draw = method(METHODS, name).draw;
             move |image: &mut Image| {
-                (0..20).for_each(|_| draw(black_box(sliver(length)), image, Color::WHITE))
+                (0..20).for_each(|_| draw(black_box(sliver(length)), image, Color::WHITE));
             }
         };
         let longer = ratio(|| canvas(2 * length), draw("edges", 2 * length), draw("edges", length));
