@@ -18,6 +18,8 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
         .map_err(|error| error.to_string())?;
     // A space that LaTeX writes as `\ ` or `~` comes out escaped twice.
     let html = html.replace("&amp;nbsp;", "&nbsp;");
+    // The sign is written as it is, which no page may hold.
+    let html = html.replace("<mo><</mo>", "<mo>&lt;</mo>");
     Ok(guarded(&html))
 }
 
@@ -76,6 +78,12 @@ mod tests {
         let text: String =
             html.split('<').filter_map(|part| part.split_once('>')).map(|part| part.1).collect();
         assert!(!text.contains(['*', '_', '[', '|']), "{text}");
+    }
+
+    #[test]
+    fn less_than_is_no_tag() {
+        let html = mathml(r"0 \le i < n", true).unwrap();
+        assert!(html.contains("<mo>&lt;</mo>") && !html.contains("<<"), "{html}");
     }
 
     #[test]
