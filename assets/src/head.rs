@@ -86,17 +86,17 @@ fn number<T>(known: &mut BTreeMap<[i32; 3], usize>, list: &mut Vec<T>, key: [i32
 /// The texture.
 #[must_use]
 pub fn texture() -> Image {
-    let skin = bust().map(|(_, triangle)| triangle.map(|point| (point.uv, point.position, point.normal)));
+    let skin = bust().map(|triangle| triangle.map(|point| (point.uv, point.position, point.normal)));
     paint::paint(skin)
 }
 
 /// All triangles: the bust, then the eyes.
 fn triangles() -> impl Iterator<Item = [Point; 3]> {
-    bust().map(|(_, triangle)| triangle).chain(eye(1.0)).chain(eye(-1.0))
+    bust().chain(eye(1.0)).chain(eye(-1.0))
 }
 
-/// The triangles of the bust with their charts.
-fn bust() -> impl Iterator<Item = (Chart, [Point; 3])> {
+/// The triangles of the bust.
+fn bust() -> impl Iterator<Item = [Point; 3]> {
     let normal = |i: usize| surface::gradient(BUST.positions[i]).normalize();
     let smooth: Vec<DVec3> = (0..BUST.positions.len()).map(normal).collect();
     BUST.triangles.iter().map(move |&triangle| {
@@ -112,7 +112,7 @@ fn bust() -> impl Iterator<Item = (Chart, [Point; 3])> {
             let normal = if bent { flat } else { smooth[i] };
             Point { position, uv: chart.uv(position, (a + b + c) / 3.0), normal }
         };
-        (chart, triangle.map(point))
+        triangle.map(point)
     })
 }
 

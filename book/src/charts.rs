@@ -126,7 +126,7 @@ fn measure_into(folder: &Path, charts: &[&Chart], effort: Effort, scenes: bool) 
     let bar = progress(charts.len() * 4 + if scenes { 2 } else { 0 })?;
     for chart in charts {
         measure(chart, effort, &machine, folder, &bar)?;
-        bar.println(format!("{}", folder.join(chart.name).with_extension("svg").display()));
+        bar.suspend(|| println!("{}", folder.join(chart.name).with_extension("svg").display()));
     }
     if scenes {
         bar.set_message("no more than the scene needs");
@@ -274,7 +274,7 @@ fn points(chart: &Chart, series: &[Series]) -> Vec<Point> {
 /// Measures all errors with this seed and the next, and compares what would be printed.
 fn second_seed(charts: &[&Chart], effort: Effort) -> anyhow::Result<()> {
     let bar = progress(charts.len())?;
-    let mut moved = 0;
+    let mut moved = Vec::new();
     for chart in charts {
         bar.set_message(chart.name);
         let printed = |seed| -> Vec<String> {
@@ -284,15 +284,14 @@ fn second_seed(charts: &[&Chart], effort: Effort) -> anyhow::Result<()> {
         let (first, second) = (printed(effort.seed), printed(effort.seed + 1));
         for (method, (a, b)) in (chart.methods)().iter().zip(first.iter().zip(&second)) {
             if a != b && (number(a) - number(b)).abs() > 1.01 * last_digit(a).max(last_digit(b)) {
-                bar.println(format!("{}, {method}: {a}, then {b}", chart.name));
-                moved += 1;
+                moved.push(format!("{}, {method}: {a}, then {b}", chart.name));
             }
         }
         bar.inc(1);
     }
     bar.finish_and_clear();
-    if moved > 0 {
-        bail!("{moved} means moved by more than their last digit: take more samples");
+    if !moved.is_empty() {
+        bail!("means moved by more than their last digit, take more samples: {}", moved.join("; "));
     }
     println!("no printed mean moved by more than its last digit");
     Ok(())

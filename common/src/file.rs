@@ -3,16 +3,18 @@
 //! The `image` crate does the work. Reading TGA, it takes raw and run-length encoded pixels of 8, 15, 16,
 //! 24 and 32 bits, colour maps, and any corner as the origin; all of these become 8-bit grey, RGB or RGBA.
 //! Writing TGA, it offers both encodings but one origin, the top-left corner, which every reader we know
-//! understands, so we write no encoder of our own. PNG is written in 8 bits; 16-bit channels lose their
-//! lower byte when read, and a palette becomes RGB.
+//! understands. Its runs of equal pixels go on from one row to the next, which the format advises against
+//! and some readers refuse (Python's Pillow is one), so we hand it one row at a time. PNG is written in 8
+//! bits; 16-bit channels lose their lower byte when read, and a palette becomes RGB.
 
 use std::fs::{self, File};
 use std::io::{Cursor, Read, Write};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use ::image::codecs::tga::TgaEncoder;
-use ::image::{ImageFormat, ImageReader, ImageResult, Limits};
+use ::image::{DynamicImage, ImageFormat, ImageReader, ImageResult, Limits};
 
 use crate::{Error, Image};
 
@@ -111,12 +113,29 @@ impl Image {
         let picture = self.to_rows_down();
         let mut bytes = Cursor::new(Vec::new());
         match encoding {
-            Encoding::TgaRle => picture.write_with_encoder(TgaEncoder::new(&mut bytes))?,
+            Encoding::TgaRle => return tga_by_rows(&picture),
             Encoding::TgaRaw => picture.write_with_encoder(TgaEncoder::new(&mut bytes).disable_rle())?,
             Encoding::Png => picture.write_to(&mut bytes, ImageFormat::Png)?,
         }
         Ok(bytes.into_inner())
     }
+}
+
+/// A run-length encoded TGA file in which no run crosses the end of a row.
+fn tga_by_rows(picture: &DynamicImage) -> ImageResult<Vec<u8>> {
+    const HEADER: usize = 18;
+    const HEIGHT: Range<usize> = 14..16;
+    let (width, height) = (picture.width(), picture.height());
+    let mut file = Vec::new();
+    // At least one row: the encoder's own error tells that a picture has no pixels.
+    for y in 0..height.max(1) {
+        let mut row = Vec::new();
+        picture.crop_imm(0, y, width, 1).write_with_encoder(TgaEncoder::new(&mut row))?;
+        let begin = if y == 0 { 0 } else { HEADER };
+        file.extend_from_slice(&row[begin..]);
+    }
+    file[HEIGHT].copy_from_slice(&(height as u16).to_le_bytes());
+    Ok(file)
 }
 
 /// The bytes of a file that has at most `limit` of them; a pipe or a device is cut off there as well.
@@ -302,6 +321,24 @@ mod tests {
         assert_eq!([file, link].map(|path| fs::read(path).unwrap()), [b"old", b"new"]);
     }
 
+    /// The lengths of the packets of a row sum up to its width.
+    #[test]
+    fn no_run_crosses_the_end_of_a_row() {
+        for format in [Format::Gray, Format::Rgb, Format::Rgba] {
+            // One colour: an encoder that does not heed rows makes one run of all.
+            let picture = Image::new(20, 6, format);
+            let bytes = picture.encode(Encoding::TgaRle).unwrap();
+            let mut packets = &bytes[18..];
+            let mut lengths = Vec::new();
+            while let [head, rest @ ..] = packets {
+                assert!(head & 0x80 != 0, "a run");
+                lengths.push(1 + (head & 0x7f));
+                packets = &rest[format as usize..];
+            }
+            assert_eq!(lengths, [20; 6], "{format:?}");
+        }
+    }
+
     #[test]
     fn a_picture_without_pixels_cannot_be_written() {
         for encoding in [Encoding::TgaRle, Encoding::TgaRaw, Encoding::Png] {
@@ -315,6 +352,7 @@ mod tests {
         let [rle, raw] =
             [Encoding::TgaRle, Encoding::TgaRaw].map(|encoding| black.encode(encoding).unwrap().len());
         assert_eq!(raw, 18 + 30_000);
-        assert_eq!(rle, 18 + 10_000_usize.div_ceil(128) * 4);
+        // A row of 100 pixels is one run.
+        assert_eq!(rle, 18 + 100 * 4);
     }
 }

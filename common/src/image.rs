@@ -138,7 +138,7 @@ impl Image {
 
     /// Colours the pixel (x, y); outside the picture, nothing happens. A grey picture keeps the colour's
     /// [`luma`](Color::luma), one without alpha drops the alpha.
-    #[inline]
+    #[inline(always)]
     pub fn set(&mut self, x: i32, y: i32, color: Color) {
         let Some(at) = self.offset(x, y) else { return };
         let Color { r, g, b, a } = color;

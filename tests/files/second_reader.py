@@ -1,6 +1,6 @@
-"""Checks the committed models with a reader that is not ours: python tests/files/second_reader.py.
+"""Checks the committed models and textures with readers that are not ours: python tests/files/second_reader.py.
 
-Needs trimesh (see requirements.txt beside this file); .ci/run calls it in an environment of its own.
+Needs trimesh and Pillow (see requirements.txt beside this file); .ci/run calls it in an environment of its own.
 """
 
 import pathlib
@@ -8,6 +8,7 @@ import sys
 
 import numpy
 import trimesh
+from PIL import Image
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "assets"
 
@@ -18,6 +19,9 @@ MODELS = [
     ("torus-knot.obj", 5760, 5760, 1),
     ("head.obj", 2500, 6000, 3),
 ]
+
+# Name and side of the textures.
+TEXTURES = [("head.tga", 1024), ("crate.png", 256)]
 
 
 def faults(name, least, most, bodies):
@@ -45,7 +49,21 @@ def faults(name, least, most, bodies):
     return [f"{name}: {fault}" for fault, passed in tests.items() if not passed]
 
 
+def texture_faults(name, side):
+    """What is wrong with a texture, a line each."""
+    # Loading fails where the file's pixels are not all there.
+    picture = Image.open(FOLDER / name)
+    picture.load()
+    tests = {
+        f"{picture.size} pixels": picture.size == (side, side),
+        f"{picture.mode} pixels": picture.mode == "RGB",
+        "of one colour": len(set(picture.resize((64, 64)).get_flattened_data())) > 100,
+    }
+    return [f"{name}: {fault}" for fault, passed in tests.items() if not passed]
+
+
 if __name__ == "__main__":
     found = [fault for model in MODELS for fault in faults(*model)]
-    print("\n".join(found) or f"{len(MODELS)} models read, nothing wrong")
+    found += [fault for texture in TEXTURES for fault in texture_faults(*texture)]
+    print("\n".join(found) or f"{len(MODELS)} models and {len(TEXTURES)} textures read, nothing wrong")
     sys.exit(bool(found))

@@ -31,7 +31,7 @@ fn far_corner() -> impl Strategy<Value = Vec2> {
 
 /// A coordinate to lie about: in the window, where `edges` changes integers, at the ends of i32, beyond.
 fn base() -> impl Strategy<Value = f32> {
-    let far = [1 << 20, 1 << 24, 1 << 31, 1_u64 << 40].map(|n| n as f32);
+    let far = [1 << 16, 1 << 20, 1 << 24, 1 << 31, 1_u64 << 40].map(|n| n as f32);
     prop_oneof![
         Just(12.0),
         (prop::sample::select(far.to_vec()), any::<bool>()).prop_map(|(base, negative)| if negative {

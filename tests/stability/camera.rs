@@ -119,6 +119,8 @@ fn every_method_does_what_it_must() {
 /// How far the camera's right is from where it should be, in radians.
 fn angle_off(eye: Vec3, up: Vec3) -> f64 {
     let got = basis(eye, Vec3::ZERO, up).unwrap();
+    // However wrong, it stays a basis.
+    assert!(turn::skew(&got.transpose()) < 1e-6, "{up}: {got}");
     got.row(0).as_dvec3().angle_between(view::basis(eye, Vec3::ZERO, up)[0])
 }
 

@@ -2,7 +2,7 @@ use checks::view::on_level;
 use common::{Attributes, Color, DVec3, Format, Image, Mat4, Model, Vec3, Vec4};
 use gouraud::corner_normals;
 use shaders::lighting::{Lighting, Quantized};
-use shaders::program::{Shader, Stored, render};
+use shaders::program::{Shader, render};
 use shaders::{METHODS, SHADERS, Scene, Target};
 use transforms::{projection, viewport};
 use verify::{SPHERE, method};
@@ -95,12 +95,12 @@ impl Shader for Holes {
 #[test]
 fn a_discarded_fragment_leaves_colour_and_depth_alone() {
     let mut target = Target::new(Image::new(16, 16, Format::Rgb));
-    assert_eq!(render(&mut Stored::new(Holes), 3, &mut target), 0);
+    assert_eq!(render(&Holes, 3, &mut target), 0);
     for (x, y, color) in target.image.pixels() {
         assert_eq!((color, target.depths.get(x, y)), (Color::RED, 1.0));
     }
     let mut empty = Target::new(Image::new(16, 16, Format::Rgb));
-    render(&mut Stored::new(Holes), 1, &mut empty);
+    render(&Holes, 1, &mut empty);
     assert!(empty.depths == Target::new(Image::new(16, 16, Format::Rgb)).depths);
 }
 
@@ -210,4 +210,46 @@ fn a_floor_warps_under_perspective() {
         let largest = warp(distance);
         assert!((largest - expected).abs() < 1.0, "from {distance}: {largest} texels, not {expected}");
     }
+}
+
+/// Twice as many triangles, and four times the fragments, allocate as often: the buffers once, nothing for a
+/// triangle or a fragment.
+#[test]
+fn drawing_allocates_nothing_per_triangle_or_fragment() {
+    let texture = texture();
+    let count = |repeated: usize, side: u16, way: &dyn Fn(&Scene, Image)| {
+        let text = sphere_text(repeated);
+        let model = Model::parse(text.as_bytes(), BOTH).unwrap();
+        let all = scene(&model, &texture, viewport(f32::from(side), f32::from(side), 0.5));
+        let image = Image::new(side, side, Format::Rgb);
+        allocation_counter::measure(|| way(&all, image)).count_total
+    };
+    let mut ways: Vec<(String, Box<dyn Fn(&Scene, Image)>)> = Vec::new();
+    for shader in SHADERS {
+        for way in METHODS {
+            let draw = (way.run)(&shader.run);
+            let run = move |scene: &Scene, image: Image| {
+                draw(scene, &mut Target::new(image));
+            };
+            ways.push((format!("{}, {}", shader.name, way.name), Box::new(run)));
+        }
+    }
+    let draw = method(textures::METHODS, "nearest").draw;
+    let run = move |scene: &Scene, mut image: Image| {
+        draw(scene.model, scene.texture.unwrap(), scene.light, &mut image);
+    };
+    ways.push(("lesson 5".into(), Box::new(run)));
+    for (name, way) in &ways {
+        // One for the depths.
+        let counts = [(1, 50), (2, 50), (1, 100)].map(|(repeated, side)| count(repeated, side, way));
+        assert_eq!(counts, [1, 1, 1], "{name}");
+    }
+}
+
+/// The sphere of 24 triangles, so many times over.
+fn sphere_text(times: usize) -> String {
+    let text = assets::sphere::sphere(4, 4).to_obj();
+    let faces: String =
+        text.lines().filter(|line| line.starts_with('f')).map(|line| format!("{line}\n")).collect();
+    text + &faces.repeat(times - 1)
 }

@@ -5,7 +5,7 @@
 //! the bottom: the crown, the ears' fronts and backs, the hollows of nose and mouth, the base, an eye. Since paint
 //! depends on the point in space, colours agree on both sides of every border.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
@@ -79,13 +79,15 @@ impl Chart {
 fn around(p: DVec3, near: DVec3) -> DVec2 {
     /// What is beyond the seam on either side, for triangles that lie across it.
     const BEYOND: f64 = 0.06;
+    /// How far up the skull it goes, in radians: above is the crown's own patch.
+    const CROWN: f64 = 1.12;
     let turn = |p: DVec3| libm::atan2(p.x, p.z + 0.02) / PI;
     let (mut t, close) = (turn(p), turn(near));
     if (t - close).abs() > 1.0 {
         t += 2.0 * close.signum();
     }
-    // Twice as many texels per degree in front as at the back.
-    let warped = |t: f64| t * (1.35 - 0.35 * t.abs());
+    // Four times as many texels per degree in front as at the back.
+    let warped = |t: f64| t * (1.6 - 0.6 * t.abs());
     let u = 0.5 + 0.5 * warped(t) / warped(1.0 + BEYOND);
 
     // Over the skull along a circle, straight down the face. Under nose and chin the surface turns inwards, on
@@ -96,12 +98,12 @@ fn around(p: DVec3, near: DVec3) -> DVec2 {
             return middle + radius * libm::atan2(y - middle, r);
         }
         let inwards = 0.35 * step((middle - y) / 0.2);
-        let outwards = 0.95 * step((-0.6 - y) / 0.15);
+        let outwards = 1.1 * step((-0.6 - y) / 0.15);
         let way = y + (inwards - outwards) * (r - 0.18);
         // Less room for the shoulders.
         if way < -0.6 { -0.6 + 0.5 * (way + 0.6) } else { way }
     };
-    let (bottom, top) = (fold(BASE, 0.76), middle + radius * FRAC_PI_2);
+    let (bottom, top) = (fold(BASE, 0.76), middle + radius * CROWN);
     let from_axis = (p.x * p.x + (p.z + 0.02) * (p.z + 0.02)).sqrt();
     let strip = STRIP / f64::from(SIZE);
     DVec2::new(u, strip + (1.0 - strip) * (fold(p.y, from_axis) - bottom) / (top - bottom))
@@ -114,7 +116,7 @@ fn eye(p: DVec3) -> DVec2 {
     q.truncate().normalize_or_zero() * angle.min(1.0)
 }
 
-/// The point of the unit eyeball at a place in the unit disc: the inverse of [`eye`].
+/// The point of the unit eyeball at a place in the unit disc of the eye's patch.
 #[must_use]
 pub fn on_eye(disc: DVec2) -> DVec3 {
     let angle = (disc.length() * 80.0).to_radians();

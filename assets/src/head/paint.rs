@@ -91,8 +91,8 @@ fn rasterize(triangle: [(DVec2, DVec3, DVec3); 3], points: &mut [Option<(DVec3, 
 }
 
 /// Gives each texel without a colour that of a neighbour with one.
-fn grow(image: &mut Image, known: &mut Vec<bool>) {
-    let before = known.clone();
+fn grow(image: &mut Image, known: &mut [bool]) {
+    let before = known.to_vec();
     let side = i32::from(SIZE);
     for y in 0..side {
         for x in 0..side {

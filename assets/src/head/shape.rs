@@ -4,7 +4,7 @@
 //! eyes, which are half-way up the head, so the crown is at y = ½ and the chin at y = −½; +z is where the face
 //! looks, +x its left. The field is symmetric: every function takes a point with x ≥ 0 but [`head`].
 //!
-//! Proportions are a drawing school's: the head is five eyes wide, the base of the nose is half-way from brow to
+//! Proportions are a drawing school's: the head is about five eyes wide, the base of the nose is half-way from brow to
 //! chin, the mouth a third of the way from there to the chin, the ears stand between brow and base of the nose.
 //! How primitives are measured and blended: Quilez, "Distance functions" and "Smooth minimum".
 
@@ -70,13 +70,13 @@ fn skin(p: DVec3) -> f64 {
 
 /// Skull, jaw and cheeks, with hollows for the eyes.
 fn face(p: DVec3) -> f64 {
-    let skull = ellipsoid(p, at(0.0, 0.13, -0.055), at(0.318, 0.37, 0.385));
+    let skull = ellipsoid(p, at(0.0, 0.13, -0.055), at(0.32, 0.37, 0.385));
     let forehead = ellipsoid(p, at(0.0, 0.15, 0.16), at(0.235, 0.24, 0.245));
     let middle = ellipsoid(p, at(0.0, -0.13, 0.15), at(0.235, 0.33, 0.235));
     let mut d = union(union(skull, forehead, 0.1), middle, 0.1);
     // The jaw: from the joint below the ear to its angle, and along its edge to the chin.
-    let angle = at(0.205, -0.3, 0.06);
-    d = union(d, cone(p, at(0.22, -0.12, 0.02), 0.06, angle, 0.05), 0.16);
+    let angle = at(0.188, -0.295, 0.065);
+    d = union(d, cone(p, at(0.21, -0.12, 0.02), 0.06, angle, 0.05), 0.16);
     d = union(d, cone(p, angle, 0.045, at(0.05, -0.435, 0.32), 0.05), 0.16);
     d = union(d, ellipsoid(p, at(0.0, -0.432, 0.34), at(0.085, 0.065, 0.066)), 0.09);
     // Cheekbone and its arch back to the ear; the cheek below.

@@ -44,9 +44,9 @@ pub fn surface() -> Surface {
     let grid = Grid::new();
     let mut mesh = Surface::default();
     let mut vertex = vec![usize::MAX; grid.values.len()];
-    for cell in grid.cells(IVec3::ZERO) {
+    for cell in cells(IVec3::ZERO) {
         if let Some((position, place)) = grid.vertex(cell) {
-            vertex[grid.index(cell)] = mesh.positions.len();
+            vertex[index(cell)] = mesh.positions.len();
             mesh.positions.push(position);
             mesh.places.push(place);
         }
@@ -54,12 +54,12 @@ pub fn surface() -> Surface {
     for axis in [IVec3::X, IVec3::Y, IVec3::Z] {
         // The other two axes, in an order that makes a right-handed frame with this one.
         let (u, v) = (axis.zxy(), axis.yzx());
-        for corner in grid.cells(u + v) {
+        for corner in cells(u + v) {
             let (from, to) = (grid.value(corner), grid.value(corner + axis));
             if (from < 0.0) == (to < 0.0) {
                 continue;
             }
-            let mut quad = [-u - v, -v, IVec3::ZERO, -u].map(|back| vertex[grid.index(corner + back)]);
+            let mut quad = [-u - v, -v, IVec3::ZERO, -u].map(|back| vertex[index(corner + back)]);
             if from > 0.0 {
                 quad.reverse();
             }
@@ -119,7 +119,7 @@ impl Grid {
             for p in boxes(corner, corner + BLOCK + 1) {
                 let value = if middle.abs() > reach { middle } else { head(point(p)) };
                 for p in [p, IVec3::new(CELLS.x - p.x, p.y, p.z)] {
-                    let at = grid.index(p);
+                    let at = index(p);
                     grid.values[at] = value;
                 }
             }
@@ -133,7 +133,7 @@ impl Grid {
     /// "Well-Composed Sets" (1995).
     fn fill_ambiguous(&mut self) -> bool {
         let mut found = false;
-        for cell in self.cells(IVec3::ZERO) {
+        for cell in cells(IVec3::ZERO) {
             let corners: [IVec3; 8] =
                 std::array::from_fn(|n| cell + IVec3::new(n as i32 & 1, n as i32 >> 1 & 1, n as i32 >> 2));
             let inside = corners.map(|p| self.value(p) < 0.0);
@@ -155,24 +155,15 @@ impl Grid {
             } else {
                 continue;
             };
-            let at = self.index(corners[fill]);
+            let at = index(corners[fill]);
             self.values[at] = -1e-6;
             found = true;
         }
         found
     }
 
-    fn index(&self, p: IVec3) -> usize {
-        ((p.x * (CELLS.y + 1) + p.y) * (CELLS.z + 1) + p.z) as usize
-    }
-
     fn value(&self, p: IVec3) -> f64 {
-        self.values[self.index(p)]
-    }
-
-    /// The cells, from this one on.
-    fn cells(&self, first: IVec3) -> impl Iterator<Item = IVec3> + use<> {
-        boxes(first, CELLS)
+        self.values[index(p)]
     }
 
     /// The middle of the points at which the cell's edges cross the surface, settled.
@@ -200,6 +191,17 @@ impl Grid {
     }
 }
 
+/// Where a corner's value is in the list.
+fn index(p: IVec3) -> usize {
+    ((p.x * (CELLS.y + 1) + p.y) * (CELLS.z + 1) + p.z) as usize
+}
+
+/// The cells, from this one on.
+fn cells(first: IVec3) -> impl Iterator<Item = IVec3> {
+    boxes(first, CELLS)
+}
+
+/// A corner in space.
 fn point(p: IVec3) -> DVec3 {
     CORNER + p.as_dvec3() * CELL
 }

@@ -11,14 +11,16 @@ pub(crate) fn three_digits(value: f64) -> String {
 /// A mean with as many digits, at most three significant ones, as its standard error leaves certain: a second
 /// run with other samples will hardly ever move the last digit by more than 1.
 ///
-/// The difference of two such means has √2 times the standard error; six times it is 4.2 of its own. One digit
-/// is printed in any case: `charts --second-seed` tells where samples are too few even for that.
+/// The difference of two such means has √2 times the standard error; six times it is 4.2 of its own.
+/// `charts --second-seed` tells where samples are too few for that.
 pub(crate) fn known_digits(mean: f64, standard_error: f64) -> String {
     if mean == 0.0 || !mean.is_finite() {
         return three_digits(mean);
     }
     let certain = (6.0 * standard_error).log10().ceil().max(-300.0) as i32;
-    to_unit(mean, certain.clamp(exponent(mean) - 2, exponent(mean)))
+    // Errors so rare that not even one digit is certain: 1 in the first place that is, an upper bound.
+    let shown = if certain > exponent(mean) { 10f64.powi(certain) } else { mean };
+    to_unit(shown, certain.max(exponent(shown) - 2))
 }
 
 /// What the last printed digit stands for.
@@ -67,6 +69,7 @@ mod tests {
         assert_eq!(known_digits(0.251_23, 0.001), "0.25");
         assert_eq!(known_digits(0.251_23, 0.01), "0.3");
         assert_eq!(known_digits(2.512e-7, 1e-9), "2.5e-7");
+        assert_eq!(known_digits(4e-4, 1e-4), "0.001");
         assert_eq!(known_digits(0.25, 0.0), "0.250");
         assert_eq!(known_digits(0.0, 0.0), "0");
     }

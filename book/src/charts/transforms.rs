@@ -19,7 +19,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     methods: || METHODS.iter().map(|method| method.name).collect(),
     error: Quantity {
         name: "how far a unit vector ends from where it should",
-        unit: "its length as 1",
+        unit: "of its length",
         limit: HALF_PIXEL,
     },
     further: &["skew"],
@@ -35,7 +35,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         falling: false,
         error: Quantity {
             name: "how far a unit vector ends from where it should",
-            unit: "its length as 1",
+            unit: "of its length",
             limit: HALF_PIXEL,
         },
         measure: compose_stability,
@@ -53,7 +53,7 @@ pub(crate) const ROTATIONS_CHART: Chart = Chart {
     methods: || ROTATIONS.iter().map(|method| method.name).collect(),
     error: Quantity {
         name: "how far a unit vector ends from where it should",
-        unit: "its length as 1",
+        unit: "of its length",
         limit: HALF_PIXEL,
     },
     further: &[],
@@ -69,7 +69,7 @@ pub(crate) const ROTATIONS_CHART: Chart = Chart {
         falling: true,
         error: Quantity {
             name: "how far a unit vector ends from where it should",
-            unit: "its length as 1",
+            unit: "of its length",
             limit: (1e-5, "10⁻⁵"),
         },
         measure: rotation_stability,
@@ -85,7 +85,7 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
     name: "07-transforms-inverses",
     job: "Lesson 7, undoing a matrix",
     methods: || INVERSES.iter().map(|method| method.name).collect(),
-    error: Quantity { name: "error of an entry", unit: "the largest as 1", limit: HALF_PIXEL },
+    error: Quantity { name: "error of an entry", unit: "of the largest", limit: HALF_PIXEL },
     further: &[],
     samples: "moves × random rotations × scales from ½ to 2 along each axis",
     exhaustive: false,
@@ -97,7 +97,7 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
     stability: Stability {
         stress: "condition number of the matrix",
         falling: false,
-        error: Quantity { name: "largest error of an entry", unit: "the largest as 1", limit: HALF_PIXEL },
+        error: Quantity { name: "largest error of an entry", unit: "of the largest", limit: HALF_PIXEL },
         measure: inverse_stability,
     },
     advice: &[

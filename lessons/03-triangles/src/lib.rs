@@ -72,7 +72,7 @@ pub const METHODS: &[Method<Triangle>] = &[
         name: "edges",
         run: drawn_and_visited!(fill),
         promise: "exact for corners rounded to 1/256 px: neighbours leave no hole and share no pixel",
-        failure: "corners beyond ±2^20 px take a slower path, triangles with one beyond ±2^52 px are left out",
+        failure: "corners beyond ±2^16 px take a slower path, triangles with one beyond ±2^52 px are left out",
     },
 ];
 

@@ -12,7 +12,7 @@
 //! (i, j) of a texture of w×h covers u from i/w to (i+1)/w. Colours are multiplied as they are encoded. (u, v)
 //! is interpolated in the picture: under perspective, from lesson 7 on, that warps; lesson 10 mends it.
 
-use common::{Color, IVec2, Image, Method, Model, Vec2, Vec3};
+use common::{Color, Image, Method, Model, Vec2, Vec3};
 use triangles::flat_intensity;
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
@@ -84,10 +84,11 @@ pub fn round(texture: &Image, uv: Vec2) -> Color {
 #[inline]
 #[must_use]
 pub fn texel(texture: &Image, uv: Vec2) -> Color {
-    // A float cast turns towards 0, which below 0 is inside, and NaN into 0.
-    let at = (uv * texture.size()).as_ivec2();
-    let inside = at.min(texture.bounds().max).max(IVec2::ZERO);
-    texture.get(inside.x, inside.y).unwrap_or(Color::BLACK)
+    let at = uv * texture.size();
+    let last = texture.bounds().max;
+    // A float cast turns NaN and what is below 0 into 0, and keeps what is above the largest u16 at that.
+    let [x, y] = [at.x as u16, at.y as u16].map(i32::from);
+    texture.get(x.min(last.x), y.min(last.y)).unwrap_or(Color::BLACK)
 }
 // ANCHOR_END: texel
 

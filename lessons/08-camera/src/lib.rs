@@ -65,7 +65,8 @@ pub fn basis(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat3> {
     let z = (eye - center).try_normalize()?;
     let sideways = |up: Vec3| up.normalize_or_zero().cross(z);
     let x = Some(sideways(up)).filter(|x| x.length() > 1e-6).unwrap_or_else(|| sideways(farthest_axis(z)));
-    let x = x.normalize();
+    // What is left of an up near the view is rounded, and at right angles to z only nearly: once more.
+    let x = x.reject_from_normalized(z).normalize();
     Some(Mat3::from_cols(x, z.cross(x), z).transpose())
 }
 // ANCHOR_END: basis

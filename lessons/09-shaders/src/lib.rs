@@ -22,6 +22,8 @@ pub mod lighting;
 pub mod program;
 pub mod source;
 
+use std::cell::RefCell;
+
 use common::{Attributes, Color, Image, Mat4, Method, Model, Vec3, Vec4};
 use zbuffer::DepthBuffer;
 
@@ -115,16 +117,16 @@ pub struct Rendering {
 /// Makes a [`Rendering`] of a colour source and a lighting.
 macro_rules! look {
     ($source:ident, $lighting:ident, $needs:expr) => {{
-        fn program<'a>(scene: &'a Scene) -> impl Program + 'a {
-            Stored::new(Look::new(scene, $source::new(scene), $lighting::new(scene)))
+        fn look<'a>(scene: &'a Scene) -> impl Shader + 'a {
+            Look::new(scene, $source::new(scene), $lighting::new(scene))
         }
         Rendering {
             needs: $needs,
             interpolated: size_of::<(<$source as Source>::Varying, <$lighting as Lighting>::Varying)>(),
-            generic: |scene, target| render(&mut program(scene), scene.model.faces().len(), target),
+            generic: |scene, target| render(&look(scene), scene.model.faces().len(), target),
             dynamic: |scene, target| {
-                let program: &mut dyn Program = &mut program(scene);
-                render(program, scene.model.faces().len(), target)
+                let program: &mut dyn Program = &mut Stored::new(look(scene));
+                render(&RefCell::new(program), scene.model.faces().len(), target)
             },
         }
     }};

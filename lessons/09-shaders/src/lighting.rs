@@ -71,8 +71,9 @@ impl Lighting for Gouraud<'_> {
     type Varying = f32;
 
     #[inline]
-    fn triangle(&self, _: usize) -> Option<()> {
-        Some(())
+    fn triangle(&self, face: usize) -> Option<()> {
+        // Between three corners in the dark no fragment is lit.
+        self.normals[face].iter().any(|normal| normal.dot(self.light) >= 0.0).then_some(())
     }
 
     #[inline]

@@ -1,5 +1,7 @@
 //! What a shader is, and the one loop that draws with any.
 
+use std::cell::RefCell;
+
 use common::{Color, Vec2, Vec3, Vec4, Vec4Swizzles};
 use triangles::fill;
 use zbuffer::depth_at;
@@ -56,6 +58,14 @@ impl<A: Varying, B: Varying> Varying for (A, B) {
     }
 }
 
+/// Three corners' weights.
+impl Varying for Vec3 {
+    #[inline]
+    fn interpolate([a, b, c]: [Vec3; 3], weights: Vec3) -> Vec3 {
+        a * weights.x + b * weights.y + c * weights.z
+    }
+}
+
 /// A shader that keeps what it computed for the triangle at hand, as the slides' C++ shaders do. Shaders of
 /// all types then look the same from outside, and `dyn Program` is any of them.
 pub trait Program {
@@ -82,49 +92,65 @@ impl<S: Shader> Stored<S> {
 }
 
 impl<S: Shader> Program for Stored<S> {
-    #[inline]
     fn triangle(&mut self, face: usize) -> bool {
         self.constant = self.shader.triangle(face);
         self.constant.is_some()
     }
 
-    #[inline]
     fn vertex(&mut self, face: usize, corner: usize) -> Vec4 {
         let (position, varying) = self.shader.vertex(face, corner);
         self.varyings[corner] = varying;
         position
     }
 
-    #[inline]
     fn fragment(&self, weights: Vec3) -> Option<Color> {
         self.shader.fragment(self.constant?, S::Varying::interpolate(self.varyings, weights))
+    }
+}
+
+/// Any [`Program`] as a [`Shader`], so that one loop draws with both: it is the weights that are interpolated,
+/// each 1 at its own corner.
+impl Shader for RefCell<&mut dyn Program> {
+    type Constant = ();
+    type Varying = Vec3;
+
+    fn triangle(&self, face: usize) -> Option<()> {
+        self.borrow_mut().triangle(face).then_some(())
+    }
+
+    fn vertex(&self, face: usize, corner: usize) -> (Vec4, Vec3) {
+        (self.borrow_mut().vertex(face, corner), Vec3::AXES[corner])
+    }
+
+    fn fragment(&self, (): (), weights: Vec3) -> Option<Color> {
+        self.borrow().fragment(weights)
     }
 }
 
 /// Draws the triangles 0 to `faces` − 1. Returns how many were left out since a corner is at the eye's height
 /// or behind it, where w ≤ 1e-6.
 // ANCHOR: render
-pub fn render<P: Program + ?Sized>(program: &mut P, faces: usize, target: &mut Target) -> usize {
-    let Target { image, depths } = target;
+pub fn render<S: Shader>(shader: &S, faces: usize, target: &mut Target) -> usize {
     let mut left_out = 0;
     for face in 0..faces {
         // 1. The triangle's own step, which may reject it before anything is computed for its corners.
-        if !program.triangle(face) {
-            continue;
-        }
+        let Some(constant) = shader.triangle(face) else { continue };
         // 2. The corners, and the division by w.
-        let clip = [0, 1, 2].map(|corner| program.vertex(face, corner));
+        let [a, b, c] = [0, 1, 2].map(|corner| shader.vertex(face, corner));
+        let (clip, varyings) = ([a.0, b.0, c.0], [a.1, b.1, c.1]);
         if !clip.iter().all(|corner| corner.w > 1e-6) {
             left_out += 1;
             continue;
         }
         let corners = clip.map(|corner| corner.xyz() / corner.w);
-        // 3. The pixels: depth test, colour, and only then the new depth.
+        // 3. The pixels: depth test, colour, and only then the new depth. What is the same all over the triangle
+        // moves into the closure, where the compiler sees that no pixel changes it.
         let z = Vec3::from_array(corners.map(|corner| corner.z));
-        fill(corners.map(Vec3::truncate), depths.bounds(), |x, y, weights| {
+        let Target { image, depths } = &mut *target;
+        fill(corners.map(Vec3::truncate), depths.bounds(), move |x, y, weights| {
             let depth = depth_at(z, weights);
             if depth > depths.get(x, y)
-                && let Some(color) = program.fragment(weights)
+                && let Some(color) = shader.fragment(constant, S::Varying::interpolate(varyings, weights))
             {
                 depths.set(x, y, depth);
                 image.set(x, y, color);

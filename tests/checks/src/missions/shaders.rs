@@ -4,7 +4,7 @@ use common::{Color, Mat4, Model, Vec3};
 use fastrand::Rng;
 use gouraud::corner_normals;
 use shaders::lighting::{Gouraud, Lighting, Quantized};
-use shaders::program::{Stored, render};
+use shaders::program::render;
 use shaders::source::{Source, Texture, White};
 use shaders::{Look, Render, Scene, Target};
 use transforms::viewport;
@@ -26,7 +26,7 @@ pub struct Shaders {
 
 /// Draws a scene in the look of a colour source under a lighting.
 pub fn draw<S: Source, L: Lighting>(scene: &Scene, target: &mut Target, source: S, lighting: L) -> usize {
-    render(&mut Stored::new(Look::new(scene, source, lighting)), scene.model.faces().len(), target)
+    render(&Look::new(scene, source, lighting), scene.model.faces().len(), target)
 }
 
 /// The mission.
