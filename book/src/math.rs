@@ -23,11 +23,10 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
     Ok(guarded(&html))
 }
 
-/// The first line of the parser's message; the others show the place by indentation.
+/// The parser's message without the frame that it draws around the place.
 fn one_line(error: &ParserError) -> String {
-    let message = error.to_string();
-    let lines: Vec<&str> = message.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
-    lines.join(" ")
+    let words = error.to_string().replace(['╭', '╰', '─', '►', '│', '^'], " ");
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Writes what Markdown would take for markup, outside of tags, as character references.
