@@ -3,6 +3,8 @@
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, ParserError, RenderConfig, Storage, push_mathml};
 
+use crate::markup::guarded;
+
 /// A formula as `MathML`, on a line of its own if `display`. It can stand anywhere in Markdown.
 ///
 /// # Errors
@@ -27,29 +29,6 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
 fn one_line(error: &ParserError) -> String {
     let words = error.to_string().replace(['╭', '╰', '─', '►', '│', '^'], " ");
     words.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// Writes what Markdown would take for markup, outside of tags, as character references.
-fn guarded(html: &str) -> String {
-    let mut guarded = String::with_capacity(html.len());
-    let mut in_tag = false;
-    for c in html.chars() {
-        match c {
-            '<' => in_tag = true,
-            '>' if in_tag => in_tag = false,
-            '\n' => {
-                guarded.push(' ');
-                continue;
-            }
-            _ if !in_tag && c.is_ascii_punctuation() && !matches!(c, '&' | ';' | '#' | '>') => {
-                guarded.push_str(&format!("&#{};", u32::from(c)));
-                continue;
-            }
-            _ => {}
-        }
-        guarded.push(c);
-    }
-    guarded
 }
 
 #[cfg(test)]
