@@ -98,7 +98,9 @@ impl Writer<'_> {
 
     /// Notes what is wrong and returns a mark for the page.
     fn fault(&mut self, at: usize, message: String) -> String {
-        let mark = format!("<strong class=\"fault\">{}</strong>", guarded(&escaped(&message)));
+        // A directive's braces or a formula's dollars would count as another mistake.
+        let shown = message.replace(['{', '}', '$'], "");
+        let mark = format!("<strong class=\"fault\">{}</strong>", guarded(&escaped(&shown)));
         let line = self.line(at);
         self.page.faults.push(Fault { file: self.file.into(), line, message });
         mark
