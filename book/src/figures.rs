@@ -46,6 +46,11 @@ fn model() -> anyhow::Result<Model> {
     Ok(Model::read(Path::new(DEFAULT_MODEL), Attributes { normals: true, uvs: true })?)
 }
 
+/// The head's texture.
+fn texture() -> anyhow::Result<Image> {
+    Ok(Image::read(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga")))?)
+}
+
 /// Pictures side by side, as wide as a page.
 fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
     const WIDTH: u16 = 900;

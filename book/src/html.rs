@@ -81,7 +81,11 @@ fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fau
             made.push((path.clone(), page));
         }
     });
-    render(&mdbook)?;
+    if let Err(error) = render(&mdbook) {
+        // What it stumbles over is likely one of the mistakes that we know by their lines.
+        let faults: Vec<Fault> = made.into_iter().flat_map(|(_, page)| page.faults).collect();
+        return if faults.is_empty() { Err(error) } else { Ok(faults) };
+    }
 
     let mut faults = unlisted(&chapters, &made)?;
     let pages = read_pages(out, &made)?;

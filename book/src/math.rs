@@ -3,6 +3,8 @@
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, ParserError, RenderConfig, Storage, push_mathml};
 
+use crate::markup::guarded;
+
 /// A formula as `MathML`, on a line of its own if `display`. It can stand anywhere in Markdown.
 ///
 /// # Errors
@@ -18,37 +20,15 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
         .map_err(|error| error.to_string())?;
     // A space that LaTeX writes as `\ ` or `~` comes out escaped twice.
     let html = html.replace("&amp;nbsp;", "&nbsp;");
+    // The sign is written as it is, which no page may hold.
+    let html = html.replace("<mo><</mo>", "<mo>&lt;</mo>");
     Ok(guarded(&html))
 }
 
-/// The first line of the parser's message; the others show the place by indentation.
+/// The parser's message without the frame that it draws around the place.
 fn one_line(error: &ParserError) -> String {
-    let message = error.to_string();
-    let lines: Vec<&str> = message.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
-    lines.join(" ")
-}
-
-/// Writes what Markdown would take for markup, outside of tags, as character references.
-fn guarded(html: &str) -> String {
-    let mut guarded = String::with_capacity(html.len());
-    let mut in_tag = false;
-    for c in html.chars() {
-        match c {
-            '<' => in_tag = true,
-            '>' if in_tag => in_tag = false,
-            '\n' => {
-                guarded.push(' ');
-                continue;
-            }
-            _ if !in_tag && c.is_ascii_punctuation() && !matches!(c, '&' | ';' | '#' | '>') => {
-                guarded.push_str(&format!("&#{};", u32::from(c)));
-                continue;
-            }
-            _ => {}
-        }
-        guarded.push(c);
-    }
-    guarded
+    let words = error.to_string().replace(['╭', '╰', '─', '►', '│', '^'], " ");
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -76,6 +56,12 @@ mod tests {
         let text: String =
             html.split('<').filter_map(|part| part.split_once('>')).map(|part| part.1).collect();
         assert!(!text.contains(['*', '_', '[', '|']), "{text}");
+    }
+
+    #[test]
+    fn less_than_is_no_tag() {
+        let html = mathml(r"0 \le i < n", true).unwrap();
+        assert!(html.contains("<mo>&lt;</mo>") && !html.contains("<<"), "{html}");
     }
 
     #[test]

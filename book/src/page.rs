@@ -24,7 +24,7 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use regex::Regex;
 
 use crate::fault::Fault;
-use crate::markup::escaped;
+use crate::markup::{escaped, guarded};
 use crate::math::mathml;
 use crate::methods::TABLES;
 use crate::quote::Quote;
@@ -98,7 +98,9 @@ impl Writer<'_> {
 
     /// Notes what is wrong and returns a mark for the page.
     fn fault(&mut self, at: usize, message: String) -> String {
-        let mark = format!("<strong class=\"fault\">{}</strong>", escaped(&message));
+        // A directive's braces or a formula's dollars would count as another mistake.
+        let shown = message.replace(['{', '}', '$'], "");
+        let mark = format!("<strong class=\"fault\">{}</strong>", guarded(&escaped(&shown)));
         let line = self.line(at);
         self.page.faults.push(Fault { file: self.file.into(), line, message });
         mark
@@ -386,6 +388,7 @@ mod tests {
             ("{{#include ../lib.rs:f}}", "means nothing here"),
             ("$\\frac{1}{$", "begins or ends no formula"),
             ("$\\nonsense$", "nonsense"),
+            ("$$\\nonsense$$", "nonsense"),
             ("Text $$x$$", "must begin at the left margin"),
             ("{{figure none}} Caption.", "there is no figure `none`"),
             ("{{figure dot}}", "has no caption"),

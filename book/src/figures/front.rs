@@ -2,17 +2,19 @@
 
 use anyhow::Context;
 use common::compare::Difference;
-use common::{Color, Format, IVec2, Image, Method, Vec3};
+use common::{Color, Format, IVec2, Image, Method, Vec2, Vec3};
+use gouraud::{Scene, corner_normals, gouraud};
 use lines::METHODS;
 use triangles::{draw_model, flat_intensity};
+use zbuffer::to_screen;
 
-use super::{Drawing, Figure, beside, model};
+use super::{Drawing, Figure, beside, model, texture};
 
 pub(super) const FIGURES: &[Figure] = &[
     Figure::new(
         "welcome",
-        "Three pictures of the same model side by side: as a wireframe, with its triangles in random colours, \
-         and lit from the front.",
+        "Four pictures of a head side by side: as a wireframe, with its triangles in random colours, in flat grey, \
+         and smoothly lit with its texture.",
         welcome,
     ),
     Figure::new(
@@ -25,8 +27,7 @@ pub(super) const FIGURES: &[Figure] = &[
 
 fn welcome() -> anyhow::Result<Drawing> {
     let model = model()?;
-    let canvas = || Image::new(600, 600, Format::Rgb);
-    let [mut wires, mut random, mut lit] = [(); 3].map(|()| canvas());
+    let [mut wires, mut random, mut lit, mut smooth] = [(); 4].map(|()| Image::new(600, 600, Format::Rgb));
     wireframe::wireframe(&model, &mut wires, Color::WHITE);
     let exact = Method::find(triangles::METHODS, "edges").context("no method `edges`")?;
     // What faces away is left out, as there is no depth buffer yet.
@@ -35,7 +36,10 @@ fn welcome() -> anyhow::Result<Drawing> {
         brightness(corners).map(|_| Color::random(n as u64))
     });
     draw_model(&model, &exact.run, &mut lit, |_, corners| brightness(corners).map(Color::gray));
-    beside(&[&wires, &random, &lit])
+    let (texture, normals) = (texture()?, corner_normals(&model));
+    let scene = Scene { model: &model, normals, texture: &texture, light: Vec3::Z };
+    gouraud(&scene, &mut smooth, |point| Some(to_screen(point, Vec2::splat(600.0))));
+    beside(&[&wires, &random, &lit, &smooth])
 }
 
 fn compare() -> anyhow::Result<Drawing> {

@@ -79,11 +79,6 @@ impl Sheet {
         (WIDTH as u32, self.height as u32)
     }
 
-    /// How long on the sheet a length of 1 is.
-    pub(crate) fn scale(&self) -> f32 {
-        self.scale
-    }
-
     /// Where on the sheet a point is, to a hundredth of a unit, so that files stay small.
     fn at(&self, point: Vec2) -> (f32, f32) {
         let at = (point - self.low) * self.scale;
