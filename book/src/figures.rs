@@ -3,10 +3,14 @@
 //! A figure is a row of a table `FIGURES` in the file of its chapter: a name, what a reader who cannot see it
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
+mod camera;
 mod front;
+mod gouraud;
 mod lines;
+mod shaders;
 mod sheet;
 mod textures;
+mod transforms;
 mod triangles;
 mod wireframe;
 mod wrong;
@@ -30,6 +34,10 @@ pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
         triangles::FIGURES,
         zbuffer::FIGURES,
         textures::FIGURES,
+        gouraud::FIGURES,
+        transforms::FIGURES,
+        camera::FIGURES,
+        shaders::FIGURES,
         wrong::FIGURES,
     ]
     .into_iter()

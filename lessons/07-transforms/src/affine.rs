@@ -8,6 +8,7 @@ use common::{Mat3, Mat4, Vec3};
 
 use crate::inverse::cofactors;
 
+// ANCHOR: translate
 /// Moves points by a vector.
 #[must_use]
 pub fn translate(by: Vec3) -> Mat4 {
@@ -15,6 +16,7 @@ pub fn translate(by: Vec3) -> Mat4 {
     m.w_axis = by.extend(1.0);
     m
 }
+// ANCHOR_END: translate
 
 /// Stretches along the axes, the origin staying where it is.
 #[must_use]
@@ -52,24 +54,31 @@ pub fn rotate_z(degrees: f32) -> Mat3 {
     Mat3::from_cols(Vec3::new(cos, sin, 0.0), Vec3::new(-sin, cos, 0.0), Vec3::Z)
 }
 
+// ANCHOR: euler
 /// Turns by Euler angles in degrees: about z first, then x, then y (assignment, *Version 0*).
 #[must_use]
 pub fn euler(degrees: Vec3) -> Mat3 {
     rotate_y(degrees.y) * rotate_x(degrees.x) * rotate_z(degrees.z)
 }
+// ANCHOR_END: euler
 
+// ANCHOR: model
 /// Places a model: scales it, turns it by Euler angles in degrees, moves it; T·Ry·Rx·Rz·S.
 #[must_use]
 pub fn model(translation: Vec3, degrees: Vec3, size: Vec3) -> Mat4 {
     translate(translation) * Mat4::from_mat3(euler(degrees)) * scale(size)
 }
+// ANCHOR_END: model
 
+// ANCHOR: about
 /// Does about a point what `m` does about the origin: moves the point there, applies `m`, moves it back.
 #[must_use]
 pub fn about(point: Vec3, m: Mat4) -> Mat4 {
     translate(point) * m * translate(-point)
 }
+// ANCHOR_END: about
 
+// ANCHOR: normal_matrix
 /// What turns normals as `m` turns surfaces: the inverse transpose. `None` where `m` flattens space.
 ///
 /// A tangent t becomes M·t; n'·(M·t) must stay n·t = 0, and n' = M⁻ᵀ·n does it (notes, I.1). The length of
@@ -78,3 +87,4 @@ pub fn about(point: Vec3, m: Mat4) -> Mat4 {
 pub fn normal_matrix(m: &Mat4) -> Option<Mat3> {
     cofactors(&Mat4::from_mat3(Mat3::from_mat4(*m))).map(|inverse| Mat3::from_mat4(inverse.transpose()))
 }
+// ANCHOR_END: normal_matrix
