@@ -32,7 +32,7 @@ pub const MISSION: Mission<Camera> = Mission {
             causes: || {
                 vec![
                     Cause {
-                        name: "the basis stands in columns: its transpose, with the basis as rows, brings the world to the eye",
+                        name: "the basis stands in columns: transposed, its rows bring the world to the eye",
                         explains: |asked, got| asked.becomes(got, transposed),
                     },
                     Cause {

@@ -67,7 +67,7 @@ pub const MISSION: Mission<Shaders> = Mission {
             precision: Precision { tolerance: 1e-3, strays: 0 },
             causes: || {
                 vec![Cause {
-                    name: "dark fragments are drawn black: below 0 the intensity must stay, so that they are dropped",
+                    name: "dark fragments are drawn black: leave the intensity below 0, and they are dropped",
                     explains: |asked, got| {
                         let nothing = |n: usize| match &asked.expected {
                             Raw::Depths { values, .. } => values.get(n) == Some(&f32::NEG_INFINITY),

@@ -57,7 +57,7 @@ pub const MISSION: Mission<Transforms> = Mission {
                         },
                     },
                     Cause {
-                        name: "twice as large: a length of 1 becomes zoom times the side, with zoom ½ that is half of it",
+                        name: "twice as large: a length of 1 becomes zoom times the side, not twice that",
                         explains: |asked, got| {
                             asked.becomes(got, |raw| entry(&entry(raw, 0, 0, |n| n * 2.0), 1, 1, |n| n * 2.0))
                         },
@@ -69,7 +69,7 @@ pub const MISSION: Mission<Transforms> = Mission {
                         },
                     },
                     Cause {
-                        name: "the order of the product is wrong: the matrix on the right acts first, so scale, then move",
+                        name: "the order of the product is wrong: the matrix on the right acts first",
                         explains: |asked, got| {
                             // Scaling after moving scales the way as well.
                             let after = |raw: &Raw| {

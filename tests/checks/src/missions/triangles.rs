@@ -99,7 +99,7 @@ pub const MISSION: Mission<Triangles> = Mission {
             causes: || {
                 vec![
                     Cause {
-                        name: "the sign is wrong, as if the light came from behind: the normal is (b − a) × (c − a)",
+                        name: "the sign is wrong, as if light came from behind: the normal is (b − a) × (c − a)",
                         explains: |asked, got| asked.becomes(got, negated),
                     },
                     Cause {
