@@ -29,7 +29,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 const LITTLE_PATIENCE: Duration = Duration::from_secs(1);
 
 /// How long all tasks may take together, however often an answer comes.
-const LONGEST: Duration = Duration::from_secs(60);
+const LONGEST: Duration = Duration::from_secs(30);
 
 /// How often a waiting process looks around.
 const PAUSE: Duration = Duration::from_millis(5);
@@ -130,10 +130,11 @@ pub fn ask(
     let count = ends.last().copied().unwrap_or(0);
     let mut answers: Vec<Answer> = Vec::new();
     let mut patience = PATIENCE;
+    let until = Instant::now() + LONGEST;
     while answers.len() < count {
         let file = tempfile::NamedTempFile::new().context("cannot make a temporary file")?;
         let child = start(file.path(), answers.len())?;
-        let end = wait(child, file.path(), patience)?;
+        let end = wait(child, file.path(), patience, until)?;
         let text = std::fs::read(file.path()).context("cannot read the answers")?;
         let text = String::from_utf8_lossy(&text);
         let lines: Vec<Answer> = text.lines().map_while(|line| line.parse().ok()).collect();
@@ -142,7 +143,8 @@ pub fn ask(
             let skipped = if end == Answer::OutOfTime {
                 patience = LITTLE_PATIENCE;
                 // The rest of the check is not tried.
-                ends.iter().copied().find(|&end| end > answers.len()).unwrap_or(count)
+                let over = Instant::now() >= until;
+                ends.iter().copied().find(|&end| end > answers.len() && !over).unwrap_or(count)
             } else {
                 answers.len() + 1
             };
@@ -154,17 +156,16 @@ pub fn ask(
 }
 
 /// Waits for a child that appends to a file. Returns how it ended, as the answer to the task that it left.
-fn wait(mut child: Child, file: &Path, patience: Duration) -> anyhow::Result<Answer> {
-    let started = Instant::now();
-    let (mut length, mut since) = (0, started);
+fn wait(mut child: Child, file: &Path, patience: Duration, until: Instant) -> anyhow::Result<Answer> {
+    let (mut length, mut since) = (0, Instant::now());
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok(Answer::Crashed(format!("the program ended ({status})")));
         }
         let now = std::fs::metadata(file)?.len();
-        if now > length && started.elapsed() < LONGEST {
+        if now > length && Instant::now() < until {
             (length, since) = (now, Instant::now());
-        } else if since.elapsed() > patience || started.elapsed() >= LONGEST {
+        } else if since.elapsed() > patience || Instant::now() >= until {
             child.kill()?;
             child.wait()?;
             return Ok(Answer::OutOfTime);
