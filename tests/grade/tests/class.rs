@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 use tempfile::TempDir;
 
-const FULL: &str = include_str!("honest/full.rs");
+const FULL: &str = include_str!("honest/01-lines.rs");
 const COURSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Where a submission has its file.
@@ -114,6 +114,7 @@ static CLASS: LazyLock<Graded> = LazyLock::new(|| {
     hand_in(&class, "full", FULL);
     hand_in(&class, "full, the same", FULL);
     hand_in(&class, "partial", FULL.replace("a.0..=b.0", "a.0..b.0"));
+    hand_in(&class, "never_steep", FULL.replace("if steep", "if false && steep"));
     hand_in(&class, "none", fs::read(Path::new(COURSE).join(PLACE)).unwrap());
     hand_in(&class, "prints", FULL.replace("for x in", "println!(\"debug {a:?}\");\n    for x in"));
     hand_in(&class, "O'Neil \"x\" & <b>y $(touch z)", FULL);
@@ -164,16 +165,18 @@ fn the_honest_get_what_they_deserve() {
         ("O'Neil \"x\" & <b>y $(touch z)", 10),
         ("=1+1", 10),
         ("na%FFme", 10),
+        // Gentle lines, and far ones, which are gentle.
+        ("never_steep", 3),
+        // The last pixel of each line is missing; it cannot be seen in far ones.
+        ("partial", 1),
         ("none", 0),
     ] {
         assert_eq!(earned(&works[name]), points, "{name}: {}", works[name]);
     }
-    // The last pixel of each line is missing: only the checks in which it cannot be seen are passed.
     let partial = &works["partial"];
-    assert!((1..10).contains(&earned(partial)), "{partial}");
     let causes =
         partial["Ran"]["checks"].as_array().unwrap().iter().filter_map(|check| check["cause"].as_str());
-    assert!(causes.into_iter().any(|cause| cause.contains("the last pixel is missing")), "{partial}");
+    assert!(causes.into_iter().any(|cause| cause.contains("the pixel at an end is missing")), "{partial}");
     assert!(works["none"].to_string().contains("not written yet"));
 }
 
