@@ -39,8 +39,7 @@ pub(crate) fn compile(kit: &Kit, text: &[u8], folder: &Path, closed: bool) -> an
     std::fs::write(folder.join("lib.rs"), text)?;
     let library = format!("lib{}.rlib", kit.krate);
     let mut externs = kit.lib.clone();
-    let lib =
-        ["--crate-type=rlib", "--crate-name", &kit.krate, "-Funsafe_code", "--cap-lints=allow", "lib.rs"];
+    let lib = ["--crate-type=rlib", "--crate-name", &kit.krate, "-Awarnings", "-Funsafe_code", "lib.rs"];
     if let Some(said) = rustc(kit, Role::Compiler, &kit.reads, &externs, &lib, folder, closed)? {
         return Ok(Compiled::Not(said));
     }

@@ -75,8 +75,11 @@ fn told(sheet: &Sheet, answers: &[Answer], verdict: Verdict) -> Judged {
         input: input(wrong.question),
         findings: wrong.findings.iter().map(Finding::to_string).collect(),
     });
+    // Pictures of a result that there is, and of the right size.
     let drawn = |n: &usize| {
-        verdict.wrong.iter().any(|w| w.question == *n && !w.findings.contains(&Finding::WrongShape))
+        let shape = |wrong: &checks::missions::judge::Wrong| !wrong.findings.contains(&Finding::WrongShape);
+        matches!(answers[*n], Answer::Raw(_))
+            && verdict.wrong.iter().any(|wrong| wrong.question == *n && shape(wrong))
     };
     let pictures = (0..answers.len()).filter(drawn).find_map(|n| {
         let [expected, got, difference] =
