@@ -116,7 +116,7 @@ impl Toolchain {
             links,
         };
         let starter = mission.join("lib.rs");
-        self.hide_reference(&mut kit, &starter)?;
+        kit.hide_reference(&starter)?;
         kit.digest = kit.stamp(&starter)?;
         Ok(kit)
     }
@@ -176,30 +176,30 @@ impl Toolchain {
             format!("-Coverflow-checks={}", profile.overflow_checks),
         ])
     }
-
-    /// Puts a façade in the place of the lesson's own crate, if the mission is given parts of it.
-    fn hide_reference(&self, kit: &mut Kit, starter: &Path) -> anyhow::Result<()> {
-        let own = kit.lesson.split_once('-').map_or(kit.lesson, |(_, name)| name);
-        let Some(place) = kit.lib.iter().position(|named| named.starts_with(&format!("{own}="))) else {
-            return Ok(());
-        };
-        let (_, real) = kit.lib[place].split_once('=').context("an extern has a file")?;
-        let text =
-            std::fs::read_to_string(starter).with_context(|| format!("cannot read {}", starter.display()))?;
-        let source = kit.reads.with_file_name("facade.rs");
-        file::write(&source, facade(&text, own)?.as_bytes())?;
-        let name = format!("lib{own}{FACADE}");
-        let mut rustc = Command::new(&kit.rustc);
-        rustc.args(&kit.flags).args(["--crate-type=rlib", "-Cmetadata=facade", "--crate-name", own]);
-        rustc.arg(format!("--extern=reference={real}")).arg("-L").arg(dependencies(&kit.reads));
-        run(rustc.arg("-o").arg(kit.reads.join(&name)).arg(source))?;
-        link(&kit.reads.join(&name), &kit.links)?;
-        kit.lib[place] = format!("{own}={}", kit.reads.join(name).display());
-        Ok(())
-    }
 }
 
 impl Kit {
+    /// Puts a façade in the place of the lesson's own crate, if the mission is given parts of it.
+    fn hide_reference(&mut self, starter: &Path) -> anyhow::Result<()> {
+        let own = self.lesson.split_once('-').map_or(self.lesson, |(_, name)| name);
+        let Some(place) = self.lib.iter().position(|named| named.starts_with(&format!("{own}="))) else {
+            return Ok(());
+        };
+        let (_, real) = self.lib[place].split_once('=').context("an extern has a file")?;
+        let text =
+            std::fs::read_to_string(starter).with_context(|| format!("cannot read {}", starter.display()))?;
+        let source = self.reads.with_file_name("facade.rs");
+        file::write(&source, facade(&text, own)?.as_bytes())?;
+        let name = format!("lib{own}{FACADE}");
+        let mut rustc = Command::new(&self.rustc);
+        rustc.args(&self.flags).args(["--crate-type=rlib", "-Cmetadata=facade", "--crate-name", own]);
+        rustc.arg(format!("--extern=reference={real}")).arg("-L").arg(dependencies(&self.reads));
+        run(rustc.arg("-o").arg(self.reads.join(&name)).arg(source))?;
+        link(&self.reads.join(&name), &self.links)?;
+        self.lib[place] = format!("{own}={}", self.reads.join(name).display());
+        Ok(())
+    }
+
     /// A digest of names, sizes and times of change: all that is in the kit was built, and Cargo builds again
     /// what has changed.
     fn stamp(&self, starter: &Path) -> anyhow::Result<String> {
@@ -277,9 +277,9 @@ impl Given {
     fn add(&mut self, tree: &syn::UseTree) -> anyhow::Result<()> {
         match tree {
             syn::UseTree::Path(path) => {
-                self.modules.entry(path.ident.to_string()).or_default().add(&path.tree)?
+                self.modules.entry(path.ident.to_string()).or_default().add(&path.tree)?;
             }
-            syn::UseTree::Group(group) => group.items.iter().try_for_each(|item| self.add(item))?,
+            syn::UseTree::Group(group) => return group.items.iter().try_for_each(|item| self.add(item)),
             syn::UseTree::Name(syn::UseName { ident })
             | syn::UseTree::Rename(syn::UseRename { ident, .. }) => {
                 self.items.insert(ident.to_string());

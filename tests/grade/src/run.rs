@@ -63,13 +63,13 @@ pub(crate) fn judge(
     let judged = sheets.iter().zip(verdicts).map(|(sheet, verdict)| {
         let (own, others) = rest.split_at(sheet.questions.len().min(rest.len()));
         rest = others;
-        told(sheet, own, verdict)
+        told(sheet, own, &verdict)
     });
     Ok((judged.collect(), file::beginning(&printed, KEPT)))
 }
 
 /// A verdict for the reports, with the first wrong picture.
-fn told(sheet: &Sheet, answers: &[Answer], verdict: Verdict) -> Judged {
+fn told(sheet: &Sheet, answers: &[Answer], verdict: &Verdict) -> Judged {
     let input = |question: usize| sheet.questions[question].input.clone();
     let wrong = verdict.wrong.iter().take(TOLD).map(|wrong| Wrong {
         input: input(wrong.question),

@@ -300,9 +300,9 @@ fn a_text_handed_in_by_several_is_built_once() {
     let of = |name: &str| rows.iter().find(|row| &row[0] == name).unwrap()[2].to_string();
     assert_eq!(of("full"), of("full, the same"));
     assert_ne!(of("full"), of("partial"));
-    // 26 hostile texts, and those of `full`, `partial`, `none`, `prints`, `na\xfeme` and `no_utf8`.
+    // 26 hostile texts, and those of `full`, `never_steep`, `partial`, `none`, `prints`, `na\xfeme` and `no_utf8`.
     assert!(
-        said(&CLASS.output).contains("32 different texts: 32 graded now, 0 kept"),
+        said(&CLASS.output).contains("33 different texts: 33 graded now, 0 kept"),
         "{}",
         said(&CLASS.output)
     );

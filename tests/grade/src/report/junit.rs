@@ -1,4 +1,4 @@
-//! JUnit's XML, which forges show as test results: a suite for each submission and lesson, a case for each check.
+//! `JUnit`'s XML, which forges show as test results: a suite for each submission and lesson, a case for each check.
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
