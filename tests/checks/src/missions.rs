@@ -46,6 +46,19 @@ pub const LESSONS: [&str; 9] = [
     "09-shaders",
 ];
 
+/// What is expected in each of them, for a seed.
+pub const KEYS: [fn(u64) -> Vec<Sheet>; 9] = [
+    |seed| lines::MISSION.key(seed),
+    |seed| wireframe::MISSION.key(seed),
+    |seed| triangles::MISSION.key(seed),
+    |seed| zbuffer::MISSION.key(seed),
+    |seed| textures::MISSION.key(seed),
+    |seed| gouraud::MISSION.key(seed),
+    |seed| transforms::MISSION.key(seed),
+    |seed| camera::MISSION.key(seed),
+    |seed| shaders::MISSION.key(seed),
+];
+
 /// The seed of the inputs that students see.
 pub const SEED: u64 = 1;
 

@@ -17,7 +17,7 @@ use common::compare::{Difference, side_by_side};
 use common::program::{print, tell};
 use common::{Color, Format, IVec2, Image, preview};
 
-use super::judge::{Finding, Sheet, Verdict};
+use super::judge::{Finding, Question, Sheet, Verdict};
 use super::raw::{Answer, Raw};
 use super::{LESSONS, Mission, SEED};
 use crate::picture::distance;
@@ -27,6 +27,9 @@ const PATIENCE: Duration = Duration::from_secs(5);
 
 /// How long one may take after another took too long: whoever has an endless loop need not wait for each check.
 const LITTLE_PATIENCE: Duration = Duration::from_secs(1);
+
+/// How long all tasks may take together, however often an answer comes.
+const LONGEST: Duration = Duration::from_secs(30);
 
 /// How often a waiting process looks around.
 const PAUSE: Duration = Duration::from_millis(5);
@@ -45,7 +48,7 @@ pub fn run<F>(mission: &Mission<F>, student: &F, testing: bool) -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match words.as_slice() {
-        ["--answer", file, from] => answer(mission, student, file, from),
+        ["--answer", file, from, seed] => answer(mission, student, file, from, seed),
         ["--watched", folder] => std::env::set_current_dir(folder)
             .map_err(Into::into)
             .and_then(|()| show(mission, true))
@@ -67,7 +70,13 @@ pub fn run<F>(mission: &Mission<F>, student: &F, testing: bool) -> ExitCode {
 }
 
 /// The child's part: does the tasks from the number `from` on and appends their answers to a file.
-fn answer<F>(mission: &Mission<F>, student: &F, file: &str, from: &str) -> anyhow::Result<ExitCode> {
+fn answer<F>(
+    mission: &Mission<F>,
+    student: &F,
+    file: &str,
+    from: &str,
+    seed: &str,
+) -> anyhow::Result<ExitCode> {
     static SAID: Mutex<String> = Mutex::new(String::new());
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|at| format!("{}:{}", at.file().replace('\\', "/"), at.line()));
@@ -77,7 +86,7 @@ fn answer<F>(mission: &Mission<F>, student: &F, file: &str, from: &str) -> anyho
         }
     }));
     let mut file = std::fs::OpenOptions::new().append(true).open(file)?;
-    for task in mission.tasks(SEED).into_iter().flatten().skip(from.parse()?) {
+    for task in mission.tasks(seed.parse()?).into_iter().flatten().skip(from.parse()?) {
         let answer = match catch_unwind(AssertUnwindSafe(|| (task.work)(student))) {
             Ok(raw) => Answer::Raw(raw),
             Err(_) => {
@@ -94,8 +103,22 @@ fn answer<F>(mission: &Mission<F>, student: &F, file: &str, from: &str) -> anyho
     Ok(ExitCode::SUCCESS)
 }
 
-/// The parent's part: all answers, from as many children as it takes.
-fn ask(sheets: &[Sheet]) -> anyhow::Result<Vec<Answer>> {
+/// Starts this program again as a child that does the tasks from a number on.
+fn start(file: &Path, from: usize) -> anyhow::Result<Child> {
+    let mut child = Command::new(std::env::current_exe()?);
+    child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]);
+    child.spawn().context("cannot start this program again")
+}
+
+/// The parent's part: all answers, from as many children as it takes. `start(file, from)` starts one that
+/// does the tasks from that number on and appends their answers to that file.
+///
+/// # Errors
+/// Where a child cannot be started, or a temporary file not be made and read.
+pub fn ask(
+    sheets: &[Sheet],
+    mut start: impl FnMut(&Path, usize) -> anyhow::Result<Child>,
+) -> anyhow::Result<Vec<Answer>> {
     // Where each check's questions end.
     let ends: Vec<usize> = sheets
         .iter()
@@ -107,23 +130,21 @@ fn ask(sheets: &[Sheet]) -> anyhow::Result<Vec<Answer>> {
     let count = ends.last().copied().unwrap_or(0);
     let mut answers: Vec<Answer> = Vec::new();
     let mut patience = PATIENCE;
+    let until = Instant::now() + LONGEST;
     while answers.len() < count {
         let file = tempfile::NamedTempFile::new().context("cannot make a temporary file")?;
-        let child = Command::new(std::env::current_exe()?)
-            .arg("--answer")
-            .arg(file.path())
-            .arg(answers.len().to_string())
-            .spawn()
-            .context("cannot start this program again")?;
-        let end = wait(child, file.path(), patience)?;
-        let text = std::fs::read_to_string(file.path()).context("cannot read the answers")?;
+        let child = start(file.path(), answers.len())?;
+        let end = wait(child, file.path(), patience, until)?;
+        let text = std::fs::read(file.path()).context("cannot read the answers")?;
+        let text = String::from_utf8_lossy(&text);
         let lines: Vec<Answer> = text.lines().map_while(|line| line.parse().ok()).collect();
         answers.extend(lines);
         if answers.len() < count {
             let skipped = if end == Answer::OutOfTime {
                 patience = LITTLE_PATIENCE;
                 // The rest of the check is not tried.
-                ends.iter().copied().find(|&end| end > answers.len()).unwrap_or(count)
+                let over = Instant::now() >= until;
+                ends.iter().copied().find(|&end| end > answers.len() && !over).unwrap_or(count)
             } else {
                 answers.len() + 1
             };
@@ -135,16 +156,16 @@ fn ask(sheets: &[Sheet]) -> anyhow::Result<Vec<Answer>> {
 }
 
 /// Waits for a child that appends to a file. Returns how it ended, as the answer to the task that it left.
-fn wait(mut child: Child, file: &Path, patience: Duration) -> anyhow::Result<Answer> {
+fn wait(mut child: Child, file: &Path, patience: Duration, until: Instant) -> anyhow::Result<Answer> {
     let (mut length, mut since) = (0, Instant::now());
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok(Answer::Crashed(format!("the program ended ({status})")));
         }
         let now = std::fs::metadata(file)?.len();
-        if now > length {
+        if now > length && Instant::now() < until {
             (length, since) = (now, Instant::now());
-        } else if since.elapsed() > patience {
+        } else if since.elapsed() > patience || Instant::now() >= until {
             child.kill()?;
             child.wait()?;
             return Ok(Answer::OutOfTime);
@@ -154,7 +175,8 @@ fn wait(mut child: Child, file: &Path, patience: Duration) -> anyhow::Result<Ans
 }
 
 /// Judges answers to the questions of all sheets in a row.
-fn judge(sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
+#[must_use]
+pub fn judge(sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
     let mut rest = answers;
     let verdict = |sheet: &Sheet| {
         let (own, others) = rest.split_at(sheet.questions.len().min(rest.len()));
@@ -167,7 +189,7 @@ fn judge(sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
 /// Says what is right and what is not, and shows it.
 fn show<F>(mission: &Mission<F>, in_terminal: bool) -> anyhow::Result<ExitCode> {
     let sheets = mission.key(SEED);
-    let answers = ask(&sheets)?;
+    let answers = ask(&sheets, start)?;
     let verdicts = judge(&sheets, &answers);
     let unwritten = |answer: &Answer| match answer {
         Answer::Unwritten(said) => Some(said.clone()),
@@ -245,18 +267,25 @@ fn comparison(sheets: &[Sheet], answers: &[Answer], verdicts: &[Verdict]) -> Opt
     let pictures: Vec<_> = asked
         .zip(answers)
         .filter_map(|((name, question, wrong), answer)| {
-            let expected = image(&question.expected, &question.expected)?;
-            let got = match answer {
-                Answer::Raw(raw) => image(raw, &question.expected)?,
-                _ => Image::new(expected.width() as u16, expected.height() as u16, Format::Rgb),
-            };
-            Some((name, question, wrong, expected, got))
+            Some((name, question, wrong, pictures(question, answer)?))
         })
         .collect();
-    let wrong = pictures.iter().find(|&&(_, _, wrong, ..)| wrong);
-    let (name, question, _, expected, got) =
+    let wrong = pictures.iter().find(|&&(_, _, wrong, _)| wrong);
+    let (name, question, _, [expected, got, off]) =
         wrong.or_else(|| pictures.iter().find(|&&(name, ..)| name == "picture"))?;
-    let mut off = Difference::between(expected, got);
+    Some((format!("{name}: {}", question.input), side_by_side(&[expected, got, off]).ok()?))
+}
+
+/// The pictures of a question that asks for one: expected, got, and their difference. Without a result, what
+/// was got is black.
+#[must_use]
+pub fn pictures(question: &Question, answer: &Answer) -> Option<[Image; 3]> {
+    let expected = image(&question.expected, &question.expected)?;
+    let got = match answer {
+        Answer::Raw(raw) => image(raw, &question.expected)?,
+        _ => Image::new(expected.width() as u16, expected.height() as u16, Format::Rgb),
+    };
+    let mut off = Difference::between(&expected, &got);
     let near = |at: &IVec2| {
         let colors = (expected.get(at.x, at.y), got.get(at.x, at.y));
         let tolerance = question.precision.tolerance as u8;
@@ -265,8 +294,8 @@ fn comparison(sheets: &[Sheet], answers: &[Answer], verdicts: &[Verdict]) -> Opt
     for list in [&mut off.missing, &mut off.extra, &mut off.recolored] {
         list.retain(|at| !near(at));
     }
-    let sheet = side_by_side(&[expected, got, &off.picture(expected)]).ok()?;
-    Some((format!("{name}: {}", question.input), sheet))
+    let off = off.picture(&expected);
+    Some([expected, got, off])
 }
 
 /// A result as a picture, if it is one; depths in grey, as far as they lie between those expected.
@@ -303,7 +332,7 @@ fn test<F>(mission: &Mission<F>, words: &[&str]) -> anyhow::Result<ExitCode> {
         return print(&list).map(|()| ExitCode::SUCCESS);
     }
     let mut sheets = mission.key(SEED);
-    let answers = ask(&sheets)?;
+    let answers = ask(&sheets, start)?;
     let mut verdicts = judge(&sheets, &answers);
     sheets.retain(|sheet| chosen(sheet.name));
     verdicts.retain(|verdict| chosen(verdict.name));

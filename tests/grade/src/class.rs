@@ -1,0 +1,233 @@
+//! All submissions of a class. A text is graded once, whoever handed it in, and what is finished stays so.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, bail, ensure};
+use checks::missions::{KEYS, LESSONS, Sheet};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::compile::{Compiled, compile};
+use crate::kit::{self, Kit};
+use crate::proof::{self, Wall};
+use crate::report::{self, Time};
+use crate::results::{Check, Class, Graded, Lesson, Outcome, Work};
+use crate::submission::{self, Source, Submission};
+use crate::{file, run};
+
+/// What to grade, and how.
+pub(crate) struct Options {
+    /// The class.
+    pub(crate) class: PathBuf,
+    /// Where the reports go.
+    pub(crate) report: PathBuf,
+    /// The course.
+    pub(crate) course: PathBuf,
+    /// What the inputs are made from.
+    pub(crate) seed: u64,
+    /// Which lessons.
+    pub(crate) lessons: Vec<&'static str>,
+    /// Which part of the class, of how many: 1 of 1 is all of it.
+    pub(crate) shard: (usize, usize),
+    /// How many submissions at a time.
+    pub(crate) jobs: usize,
+    /// Whether the walls are up.
+    pub(crate) closed: bool,
+}
+
+/// What one submission has for one lesson.
+struct HandedIn<'a> {
+    submission: &'a Submission,
+    lesson: usize,
+    source: Source,
+    /// Under which its result is kept; that of another text, kit or seed is another.
+    key: String,
+}
+
+/// Grades a class, or goes on with it, and writes the reports.
+pub(crate) fn grade(options: &Options) -> anyhow::Result<()> {
+    let started = Instant::now();
+    let (shard, of) = options.shard;
+    let submissions = submission::all(&options.class)?;
+    let submissions: Vec<Submission> = submissions.into_iter().skip(shard - 1).step_by(of).collect();
+    let walls = prove(options.closed)?;
+    let work = std::path::absolute(options.report.join("work"))?;
+    let (graded, scratch) = (work.join("graded"), work.join("scratch"));
+    let _lock = begin(&work, &scratch)?;
+    let kits = build(options, &scratch)?;
+    let sheets: Vec<Vec<Sheet>> = options.lessons.iter().map(|lesson| sheets(lesson, options.seed)).collect();
+
+    let handed_in = collect(&submissions, &kits, options);
+    let mut texts: BTreeMap<&str, &HandedIn> = BTreeMap::new();
+    for one in handed_in.iter().filter(|one| matches!(one.source, Source::Text(_))) {
+        texts.entry(&one.key).or_insert(one);
+    }
+    let count = texts.len();
+    let open: Vec<&HandedIn> =
+        texts.into_values().filter(|one| Graded::read(&graded, &one.key).is_none()).collect();
+    let now = open.len();
+    each(open, options.jobs, |one| {
+        let Source::Text(text) = &one.source else { return Ok(()) };
+        let folder = scratch.join(&one.key);
+        let result = grade_one(&kits[one.lesson], &sheets[one.lesson], text, &folder, options)?;
+        result.write(&graded, &one.key)?;
+        Ok(std::fs::remove_dir_all(folder)?)
+    })?;
+
+    let (class, times) = gather(handed_in, &graded, options, walls, &sheets)?;
+    report::write(&class, times, &options.report)?;
+    std::fs::remove_dir_all(&scratch)?;
+    println!(
+        "{} submissions, {count} different texts: {now} graded now, {} kept from before; {:.1} s\n{}",
+        submissions.len(),
+        count - now,
+        started.elapsed().as_secs_f64(),
+        options.report.join(report::PAGE).display()
+    );
+    Ok(())
+}
+
+/// Tries the walls; without them, goes on only where that is wanted.
+fn prove(closed: bool) -> anyhow::Result<Vec<Wall>> {
+    const CURE: &str =
+        "nothing was graded; --unsafe-no-sandbox grades all the same, with this account's rights";
+    let walls = proof::prove(closed).context(CURE)?;
+    let open: Vec<&str> = walls.iter().filter(|wall| !wall.held).map(|wall| wall.against.as_str()).collect();
+    ensure!(!closed || open.is_empty(), "no wall against {}: {CURE}", open.join(", "));
+    Ok(walls)
+}
+
+/// Makes sure that no other grader writes here, and clears what one left that was killed.
+fn begin(work: &Path, scratch: &Path) -> anyhow::Result<File> {
+    let make = || std::fs::create_dir_all(work).and_then(|()| File::create(work.join("lock")));
+    let lock = make().with_context(|| format!("cannot write {}", work.display()))?;
+    if lock.try_lock().is_err() {
+        bail!("another grader is at work in {}", work.display());
+    }
+    if scratch.exists() {
+        std::fs::remove_dir_all(scratch).with_context(|| format!("cannot clear {}", scratch.display()))?;
+    }
+    Ok(lock)
+}
+
+fn build(options: &Options, scratch: &Path) -> anyhow::Result<Vec<Kit>> {
+    let spinner = ProgressBar::new_spinner().with_message("building the missions");
+    spinner.enable_steady_tick(Duration::from_millis(100));
+    let kits = kit::build(&options.course, &options.lessons, &scratch.join("kits"))?;
+    spinner.finish_and_clear();
+    Ok(kits)
+}
+
+/// What is expected in a lesson.
+fn sheets(lesson: &str, seed: u64) -> Vec<Sheet> {
+    let key = LESSONS.iter().zip(KEYS).find(|(name, _)| **name == lesson);
+    key.map(|(_, key)| key(seed)).unwrap_or_default()
+}
+
+fn collect<'a>(submissions: &'a [Submission], kits: &[Kit], options: &Options) -> Vec<HandedIn<'a>> {
+    let one = |submission: &'a Submission, lesson: usize| {
+        let source = submission.source(kits[lesson].lesson);
+        let key = match &source {
+            Source::Text(text) => {
+                let how = format!("{} {}", options.seed, options.closed);
+                file::digest([kits[lesson].digest.as_bytes(), how.as_bytes(), text])
+            }
+            _ => String::new(),
+        };
+        HandedIn { submission, lesson, source, key }
+    };
+    submissions
+        .iter()
+        .flat_map(|submission| (0..kits.len()).map(move |lesson| one(submission, lesson)))
+        .collect()
+}
+
+/// Does something with each text, several at a time, and shows how far it is. The first error ends it.
+fn each<'a>(
+    texts: Vec<&'a HandedIn<'a>>,
+    jobs: usize,
+    work: impl Fn(&HandedIn) -> anyhow::Result<()> + Sync,
+) -> anyhow::Result<()> {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} {eta}")?;
+    let bar = ProgressBar::new(texts.len() as u64).with_style(style);
+    let (texts, result) = (Mutex::new(texts.into_iter()), Mutex::new(Ok(())));
+    let take =
+        || result.lock().is_ok_and(|result| result.is_ok()).then(|| texts.lock().ok()?.next()).flatten();
+    std::thread::scope(|scope| {
+        for _ in 0..jobs {
+            scope.spawn(|| {
+                while let Some(one) = take() {
+                    bar.set_message(one.submission.name.clone());
+                    if let (Err(error), Ok(mut result)) = (work(one), result.lock()) {
+                        *result = Err(error.context(format!("while {} was graded", one.submission.name)));
+                    }
+                    bar.inc(1);
+                }
+            });
+        }
+    });
+    bar.finish_and_clear();
+    result.into_inner().unwrap_or_else(|_| bail!("a part of the grader panicked"))
+}
+
+fn grade_one(
+    kit: &Kit,
+    sheets: &[Sheet],
+    text: &[u8],
+    folder: &Path,
+    options: &Options,
+) -> anyhow::Result<Graded> {
+    let started = Instant::now();
+    let compiled = compile(kit, text, folder, options.closed)?;
+    let compiling = started.elapsed().as_secs_f64();
+    let outcome = match compiled {
+        Compiled::Not(said) => Outcome::NotCompiled(said),
+        Compiled::Program(program) => {
+            let judge = || run::judge(kit, &program, sheets, options.seed, folder, options.closed);
+            // Nobody knows all the results that a hostile program can send. One of them must not end the class.
+            match catch_unwind(AssertUnwindSafe(judge)) {
+                Ok(judged) => judged.map(|(checks, printed)| Outcome::Ran { checks, printed })?,
+                Err(_) => Outcome::Refused("its results cannot be judged".into()),
+            }
+        }
+    };
+    Ok(Graded { outcome, compiling, running: started.elapsed().as_secs_f64() - compiling })
+}
+
+/// Puts the results of all submissions together.
+fn gather(
+    handed_in: Vec<HandedIn>,
+    graded: &Path,
+    options: &Options,
+    walls: Vec<Wall>,
+    sheets: &[Vec<Sheet>],
+) -> anyhow::Result<(Class, Vec<Time>)> {
+    let check =
+        |sheet: &Sheet| Check { name: sheet.name.into(), asks: sheet.asks.into(), points: sheet.points };
+    let lesson = |(name, sheets): (&&str, &Vec<Sheet>)| Lesson {
+        name: (*name).into(),
+        checks: sheets.iter().map(check).collect(),
+    };
+    let lessons = options.lessons.iter().zip(sheets).map(lesson).collect();
+    let mut class = Class { seed: options.seed, lessons, walls, submissions: BTreeMap::new() };
+    let mut times = Vec::new();
+    for HandedIn { submission, lesson, source, key } in handed_in {
+        let (text, outcome) = match source {
+            Source::Missing => (String::new(), Outcome::Missing),
+            Source::Refused(why) => (String::new(), Outcome::Refused(why)),
+            Source::Text(text) => {
+                let result = Graded::read(graded, &key).context("a result is gone")?;
+                let (compiling, running) = (result.compiling, result.running);
+                let lesson = options.lessons[lesson].to_string();
+                times.push(Time { submission: submission.name.clone(), lesson, compiling, running });
+                (file::digest([text.as_slice()]), result.outcome)
+            }
+        };
+        class.submissions.entry(submission.name.clone()).or_default().push(Work { text, outcome });
+    }
+    Ok((class, times))
+}

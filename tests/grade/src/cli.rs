@@ -1,0 +1,117 @@
+//! The command line.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::Context;
+use clap::{Parser, Subcommand};
+
+use crate::class::{self, Options};
+use crate::walls::{NOT_BUILT, Walls};
+use crate::{kit, merge, proof};
+
+/// Grades what students wrote for the course's missions.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Grade a class: a folder with a folder for each submission.
+    ///
+    /// Stopped half-way, the same command goes on where it was. A report that is there is brought up to date.
+    Class {
+        /// The class.
+        dir: PathBuf,
+        /// The folder for the reports; made if need be.
+        #[arg(long, value_name = "REPORT")]
+        out: PathBuf,
+        /// What the inputs are made from; students see those of seed 1.
+        #[arg(long, default_value_t = 2)]
+        seed: u64,
+        /// Which lessons, as in 1-3,7.
+        #[arg(long, default_value = "1-9", value_parser = lessons)]
+        lessons: Lessons,
+        /// Only the i-th of n parts of the class.
+        #[arg(long, value_name = "i/n", default_value = "1/1", value_parser = shard)]
+        shard: (usize, usize),
+        /// How many submissions at a time; as many as there are processors if not given.
+        #[arg(long)]
+        jobs: Option<std::num::NonZero<usize>>,
+        /// The course's folder, if not the one that this program was built in.
+        #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../.."), hide_default_value = true)]
+        course: PathBuf,
+        /// Run what students wrote with this account's rights, on your own risk.
+        #[arg(long)]
+        unsafe_no_sandbox: bool,
+    },
+    /// Make one report of several, such as those of all shards.
+    Merge {
+        /// Folders with reports.
+        #[arg(required = true)]
+        parts: Vec<PathBuf>,
+        /// The folder for the reports; made if need be.
+        #[arg(long, value_name = "REPORT")]
+        out: PathBuf,
+    },
+    /// Build walls around this process, and become a program.
+    #[command(hide = true)]
+    Wall {
+        walls: String,
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        command: Vec<OsString>,
+    },
+    /// Try the walls from inside.
+    #[command(hide = true)]
+    Try { folder: PathBuf },
+    /// Use up what is limited.
+    #[command(hide = true)]
+    Exhaust { what: String },
+}
+
+#[derive(Clone)]
+struct Lessons(Vec<&'static str>);
+
+fn lessons(list: &str) -> Result<Lessons, String> {
+    kit::lessons(list).map(Lessons)
+}
+
+fn shard(text: &str) -> Result<(usize, usize), String> {
+    let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    numbers.filter(|(i, n)| (1..=*n).contains(i)).ok_or_else(|| "not i/n with 1 ≤ i ≤ n".into())
+}
+
+pub(crate) fn main() -> ExitCode {
+    let launcher = matches!(std::env::args_os().nth(1), Some(word) if word == "wall");
+    match run(Cli::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(if launcher { NOT_BUILT as u8 } else { 1 })
+        }
+    }
+}
+
+fn run(command: Command) -> anyhow::Result<()> {
+    match command {
+        Command::Class { dir, out, seed, lessons, shard, jobs, course, unsafe_no_sandbox } => {
+            let course =
+                course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
+            let jobs =
+                jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
+            let (lessons, closed) = (lessons.0, !unsafe_no_sandbox);
+            class::grade(&Options { class: dir, report: out, course, seed, lessons, shard, jobs, closed })
+        }
+        Command::Merge { parts, out } => merge::merge(&parts, &out),
+        Command::Wall { walls, command } => {
+            let walls: Walls = serde_json::from_str(&walls)?;
+            walls.enter(&command).map(|never| match never {})
+        }
+        Command::Try { folder } => proof::attempt(&folder),
+        Command::Exhaust { what } => proof::exhaust(&what),
+    }
+}

@@ -1,0 +1,346 @@
+//! What a submission to a lesson is built with: a pristine course, compiled, and of the lesson's own crate no
+//! more than the mission's starter names.
+//!
+//! Cargo builds the mission as it stands in the course, once. From what it built, two folders are put
+//! together. The compiler that reads a student's text is shown `reads`: `common` and the crates of earlier
+//! lessons, not the checks, and no source at all. Where a mission is given parts of the lesson's own crate
+//! (types, mostly), a façade of that name stands in its place and has those parts alone, so that what is asked
+//! for has no name there. The linker is shown `links`, with the checks that hand out the tasks.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, bail, ensure};
+use cargo_metadata::{Artifact, CrateType, Message, Metadata, MetadataCommand, PackageId, TargetKind};
+use checks::missions::LESSONS;
+
+use crate::file;
+
+/// How the file of a façade ends.
+const FACADE: &str = "-facade.rlib";
+
+/// Everything but the student's text.
+pub(crate) struct Kit {
+    /// As in `01-lines`.
+    pub(crate) lesson: &'static str,
+    /// The name of the student's crate, as in `my_lines`.
+    pub(crate) krate: String,
+    /// The mission's `main.rs`.
+    pub(crate) main: PathBuf,
+    /// What the compiler may read.
+    pub(crate) reads: PathBuf,
+    /// What the linker may read.
+    pub(crate) links: PathBuf,
+    /// `--extern`s of the student's crate.
+    pub(crate) lib: Vec<String>,
+    /// `--extern`s of the program.
+    pub(crate) bin: Vec<String>,
+    /// How Cargo would have it compiled.
+    pub(crate) flags: Vec<String>,
+    /// The compiler.
+    pub(crate) rustc: PathBuf,
+    /// Its folder.
+    pub(crate) sysroot: PathBuf,
+    /// Models and textures.
+    pub(crate) assets: PathBuf,
+    /// Tells this kit, and this program, from others.
+    pub(crate) digest: String,
+}
+
+/// Builds what the lessons need, below a folder.
+pub(crate) fn build(course: &Path, lessons: &[&'static str], folder: &Path) -> anyhow::Result<Vec<Kit>> {
+    let metadata = MetadataCommand::new().current_dir(course).other_options(["--locked".into()]).exec();
+    let metadata = metadata.with_context(|| format!("{} is not the course", course.display()))?;
+    let artifacts = compile(course, lessons)?;
+    let said = run(Command::new("rustc").current_dir(course).args(["--print", "sysroot"]))?;
+    let toolchain = Toolchain { metadata, artifacts, sysroot: PathBuf::from(said.trim()) };
+    lessons.iter().map(|lesson| toolchain.kit(course, lesson, &folder.join(lesson))).collect()
+}
+
+/// Has Cargo build the missions, and returns what it built of each package.
+fn compile(course: &Path, lessons: &[&str]) -> anyhow::Result<BTreeMap<PackageId, Artifact>> {
+    let mut cargo = Command::new("cargo");
+    cargo.current_dir(course).args([
+        "build",
+        "--locked",
+        "--quiet",
+        "--message-format=json-render-diagnostics",
+    ]);
+    lessons.iter().for_each(|lesson| {
+        cargo.args(["--package", &package(lesson)]);
+    });
+    let mut cargo =
+        cargo.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
+    let output = std::io::BufReader::new(cargo.stdout.take().context("cargo has no output")?);
+    let mut artifacts = BTreeMap::new();
+    for message in Message::parse_stream(output) {
+        if let Message::CompilerArtifact(artifact) = message?
+            && artifact.target.kind.iter().any(|kind| matches!(kind, TargetKind::Lib | TargetKind::ProcMacro))
+        {
+            artifacts.insert(artifact.package_id.clone(), artifact);
+        }
+    }
+    ensure!(cargo.wait()?.success(), "the course's missions cannot be built");
+    Ok(artifacts)
+}
+
+struct Toolchain {
+    metadata: Metadata,
+    artifacts: BTreeMap<PackageId, Artifact>,
+    sysroot: PathBuf,
+}
+
+impl Toolchain {
+    fn kit(&self, course: &Path, lesson: &'static str, folder: &Path) -> anyhow::Result<Kit> {
+        let mission = course.join("lessons").join(lesson).join("mission/src");
+        let [reads, links] = ["reads", "links"].map(|name| folder.join(name));
+        let of_mission = self.package(&package(lesson))?;
+        let direct = self.dependencies(&of_mission);
+        let (checks, given): (Vec<_>, Vec<_>) = direct.iter().partition(|(name, _)| name == "checks");
+        self.gather(given.iter().map(|(_, id)| id), &reads)?;
+        self.gather(checks.iter().chain(&given).map(|(_, id)| id), &links)?;
+
+        let mut kit = Kit {
+            lesson,
+            krate: package(lesson).replace('-', "_"),
+            main: mission.join("main.rs"),
+            lib: self.externs(given, &reads)?,
+            bin: self.externs(direct.iter().collect(), &links)?,
+            flags: self.flags(&of_mission)?,
+            rustc: self.sysroot.join("bin/rustc"),
+            sysroot: self.sysroot.clone(),
+            assets: course.join("assets"),
+            digest: String::new(),
+            reads,
+            links,
+        };
+        let starter = mission.join("lib.rs");
+        kit.hide_reference(&starter)?;
+        kit.digest = kit.stamp(&starter)?;
+        Ok(kit)
+    }
+
+    fn package(&self, name: &str) -> anyhow::Result<PackageId> {
+        let package = self.metadata.workspace_packages().into_iter().find(|package| package.name == name);
+        Ok(package.with_context(|| format!("the course has no package {name}"))?.id.clone())
+    }
+
+    /// The packages that a package uses when it runs, under the names by which it calls them.
+    fn dependencies(&self, package: &PackageId) -> Vec<(String, PackageId)> {
+        let nodes = self.metadata.resolve.iter().flat_map(|resolve| &resolve.nodes);
+        let dependencies = nodes.filter(|node| node.id == *package).flat_map(|node| &node.deps);
+        let normal = |dependency: &&cargo_metadata::NodeDep| {
+            dependency.dep_kinds.iter().any(|kind| kind.kind == cargo_metadata::DependencyKind::Normal)
+        };
+        dependencies
+            .filter(normal)
+            .map(|dependency| (dependency.name.clone(), dependency.pkg.clone()))
+            .collect()
+    }
+
+    /// Puts these packages, and all that they use, into a folder.
+    fn gather<'a>(&self, packages: impl Iterator<Item = &'a PackageId>, folder: &Path) -> anyhow::Result<()> {
+        std::fs::create_dir_all(folder)?;
+        let mut open: Vec<PackageId> = packages.cloned().collect();
+        let mut seen = BTreeSet::new();
+        while let Some(package) = open.pop() {
+            if seen.insert(package.clone()) {
+                open.extend(self.dependencies(&package).into_iter().map(|(_, id)| id));
+                // What is for another system was not built.
+                if let Some(artifact) = self.artifacts.get(&package) {
+                    libraries(artifact).try_for_each(|library| link(library, folder))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn externs(&self, packages: Vec<&(String, PackageId)>, folder: &Path) -> anyhow::Result<Vec<String>> {
+        let named = |(name, id): &(String, PackageId)| {
+            let artifact = self.artifacts.get(id).with_context(|| format!("{name} was not built"))?;
+            let library = libraries(artifact).next().with_context(|| format!("{name} is not a library"))?;
+            let file = library.file_name().context("a library has a name")?;
+            Ok(format!("{name}={}", folder.join(file).display()))
+        };
+        packages.into_iter().map(named).collect()
+    }
+
+    fn flags(&self, mission: &PackageId) -> anyhow::Result<Vec<String>> {
+        let artifact = self.artifacts.get(mission).context("the mission was not built")?;
+        let profile = &artifact.profile;
+        Ok(vec![
+            format!("--edition={}", artifact.target.edition.as_str()),
+            format!("-Copt-level={}", profile.opt_level),
+            format!("-Cdebug-assertions={}", profile.debug_assertions),
+            format!("-Coverflow-checks={}", profile.overflow_checks),
+        ])
+    }
+}
+
+impl Kit {
+    /// Puts a façade in the place of the lesson's own crate, if the mission is given parts of it.
+    fn hide_reference(&mut self, starter: &Path) -> anyhow::Result<()> {
+        let own = self.lesson.split_once('-').map_or(self.lesson, |(_, name)| name);
+        let Some(place) = self.lib.iter().position(|named| named.starts_with(&format!("{own}="))) else {
+            return Ok(());
+        };
+        let (_, real) = self.lib[place].split_once('=').context("an extern has a file")?;
+        let text =
+            std::fs::read_to_string(starter).with_context(|| format!("cannot read {}", starter.display()))?;
+        let source = self.reads.with_file_name("facade.rs");
+        file::write(&source, facade(&text, own)?.as_bytes())?;
+        let name = format!("lib{own}{FACADE}");
+        let mut rustc = Command::new(&self.rustc);
+        rustc.args(&self.flags).args(["--crate-type=rlib", "-Cmetadata=facade", "--crate-name", own]);
+        rustc.arg(format!("--extern=reference={real}")).arg("-L").arg(dependencies(&self.reads));
+        run(rustc.arg("-o").arg(self.reads.join(&name)).arg(source))?;
+        link(&self.reads.join(&name), &self.links)?;
+        self.lib[place] = format!("{own}={}", self.reads.join(name).display());
+        Ok(())
+    }
+
+    /// A digest of names, sizes and times of change: all that is in the kit was built, and Cargo builds again
+    /// what has changed.
+    fn stamp(&self, starter: &Path) -> anyhow::Result<String> {
+        let grader = std::env::current_exe().context("cannot find the grader itself")?;
+        let mut files = vec![grader, self.main.clone(), self.rustc.clone(), starter.to_path_buf()];
+        for entry in std::fs::read_dir(&self.links)? {
+            files.push(entry?.path());
+        }
+        // This one is built anew each time, from two of the others.
+        files.retain(|path| !path.to_string_lossy().ends_with(FACADE));
+        files.sort();
+        let mut digest = self.flags.join(" ");
+        for path in &files {
+            let found = std::fs::metadata(path).with_context(|| format!("cannot read {}", path.display()))?;
+            let (name, size, changed) = (path.file_name(), found.len(), found.modified()?);
+            digest += &format!("\n{name:?} {size} {changed:?}");
+        }
+        Ok(file::digest([digest.as_bytes()]))
+    }
+}
+
+/// `-L`'s argument for a folder of crates that other crates use: none of them can be named from there.
+pub(crate) fn dependencies(folder: &Path) -> String {
+    format!("dependency={}", folder.display())
+}
+
+fn package(lesson: &str) -> String {
+    format!("my-{}", lesson.split_once('-').map_or(lesson, |(_, name)| name))
+}
+
+/// What of a package others are compiled against.
+fn libraries(artifact: &Artifact) -> impl Iterator<Item = &Path> {
+    let macros = artifact.target.crate_types.contains(&CrateType::ProcMacro);
+    let ending = if macros { "so" } else { "rlib" };
+    artifact
+        .filenames
+        .iter()
+        .map(|path| path.as_std_path())
+        .filter(move |path| path.extension().is_some_and(|e| e == ending))
+}
+
+/// Puts a file into a folder, as a second name of the same one where that can be.
+fn link(file: &Path, folder: &Path) -> anyhow::Result<()> {
+    let copy = folder.join(file.file_name().context("a file has a name")?);
+    if std::fs::hard_link(file, &copy).is_err() {
+        std::fs::copy(file, &copy).with_context(|| format!("cannot copy {}", file.display()))?;
+    }
+    Ok(())
+}
+
+/// A crate that re-exports, from `reference`, what a text imports from the crate `own`.
+fn facade(text: &str, own: &str) -> anyhow::Result<String> {
+    let parsed = syn::parse_file(text).context("the mission's starter is not Rust")?;
+    let mut given = Given::default();
+    for item in &parsed.items {
+        if let syn::Item::Use(import) = item
+            && let syn::UseTree::Path(path) = &import.tree
+            && path.ident == own
+        {
+            given.add(&path.tree)?;
+        }
+    }
+    Ok(given.text("::reference"))
+}
+
+/// What a mission is given of a crate, or of a module of it.
+#[derive(Default)]
+struct Given {
+    items: BTreeSet<String>,
+    modules: BTreeMap<String, Self>,
+}
+
+impl Given {
+    /// Adds the items that a `use` names.
+    fn add(&mut self, tree: &syn::UseTree) -> anyhow::Result<()> {
+        match tree {
+            syn::UseTree::Path(path) => {
+                self.modules.entry(path.ident.to_string()).or_default().add(&path.tree)?;
+            }
+            syn::UseTree::Group(group) => return group.items.iter().try_for_each(|item| self.add(item)),
+            syn::UseTree::Name(syn::UseName { ident })
+            | syn::UseTree::Rename(syn::UseRename { ident, .. }) => {
+                self.items.insert(ident.to_string());
+            }
+            syn::UseTree::Glob(_) => bail!("a mission's starter imports all of the lesson"),
+        }
+        Ok(())
+    }
+
+    fn text(&self, path: &str) -> String {
+        let items = self.items.iter().map(|item| format!("pub use {path}::{item};\n"));
+        let modules = self.modules.iter().map(|(name, module)| {
+            format!("pub mod {name} {{\n{}}}\n", module.text(&format!("{path}::{name}")))
+        });
+        items.chain(modules).collect()
+    }
+}
+
+/// Runs a program of ours to its end, and returns what it printed.
+fn run(command: &mut Command) -> anyhow::Result<String> {
+    let output =
+        command.output().with_context(|| format!("cannot start {}", command.get_program().display()))?;
+    ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim());
+    String::from_utf8(output.stdout).context("what it printed is not UTF-8")
+}
+
+/// The lessons that a list such as `1-3,7` names.
+pub(crate) fn lessons(list: &str) -> Result<Vec<&'static str>, String> {
+    let number = |text: &str| match text.trim().parse::<usize>() {
+        Ok(number) if (1..=LESSONS.len()).contains(&number) => Ok(number),
+        _ => Err(format!("`{text}` is not a lesson's number, 1 to {}", LESSONS.len())),
+    };
+    let mut chosen = BTreeSet::new();
+    for part in list.split(',') {
+        let (first, last) = part.split_once('-').unwrap_or((part, part));
+        chosen.extend(number(first)?..=number(last)?);
+    }
+    if chosen.is_empty() {
+        return Err("it names no lesson".into());
+    }
+    Ok(chosen.into_iter().map(|number| LESSONS[number - 1]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_of_lessons() {
+        assert_eq!(lessons("3,1-2,2").unwrap(), ["01-lines", "02-wireframe", "03-triangles"]);
+        for wrong in ["", "0", "10", "1-", "a", "3-2", "1,,2"] {
+            assert!(lessons(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_facade_has_what_is_given_and_nothing_else() {
+        let text = "use common::Color;\npub use own::{A, b::{C, d as e}};\nuse own::b::F;\nfn g() {}";
+        let facade_text = facade(text, "own").unwrap();
+        let module = "pub mod b {\npub use ::reference::b::C;\npub use ::reference::b::F;\npub use ::reference::b::d;\n}\n";
+        assert_eq!(facade_text, format!("pub use ::reference::A;\n{module}"));
+        assert!(facade("use own::*;", "own").is_err());
+    }
+}

@@ -1,0 +1,57 @@
+//! Grades a class: `cargo run --release -p grade -- class DIR --out REPORT`.
+//!
+//! What students wrote is compiled and run behind [`walls`]; it returns raw results only. This process alone
+//! knows what is expected, and judges.
+//!
+//! ```text
+//! submission   finds what was handed in, and reads it without following a link
+//! kit          what a submission to a lesson is built with, made once
+//! compile      rustc and the linker behind walls
+//! run          the program behind walls, judged
+//! class        all submissions, the same ones once; resumes where it was stopped
+//! results      what is kept of each, and the marks
+//! merge        several reports into one
+//! report       HTML, CSV, JUnit, Gradescope
+//! walls        what keeps a submission in; proof: that it does
+//! ```
+
+#[cfg(target_os = "linux")]
+mod class;
+#[cfg(target_os = "linux")]
+mod cli;
+#[cfg(target_os = "linux")]
+mod compile;
+#[cfg(target_os = "linux")]
+mod file;
+#[cfg(target_os = "linux")]
+mod kit;
+#[cfg(target_os = "linux")]
+mod merge;
+#[cfg(target_os = "linux")]
+mod proof;
+#[cfg(target_os = "linux")]
+mod report;
+#[cfg(target_os = "linux")]
+mod results;
+#[cfg(target_os = "linux")]
+mod run;
+#[cfg(target_os = "linux")]
+mod submission;
+#[cfg(target_os = "linux")]
+mod walls;
+
+use std::process::ExitCode;
+
+#[cfg(target_os = "linux")]
+fn main() -> ExitCode {
+    cli::main()
+}
+
+/// Elsewhere there are no such walls.
+#[cfg(not(target_os = "linux"))]
+fn main() -> ExitCode {
+    eprintln!(
+        "error: the grader needs Linux: it keeps submissions behind walls that other systems do not have"
+    );
+    ExitCode::FAILURE
+}

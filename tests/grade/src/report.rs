@@ -1,0 +1,73 @@
+//! What is written of a class.
+
+mod csv;
+mod gradescope;
+mod html;
+mod junit;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::file;
+use crate::results::{Class, Judged, Outcome, Work};
+
+/// The page to open.
+pub(crate) const PAGE: &str = "index.html";
+
+/// How long a submission took, in seconds. A text that several have handed in took that long once.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Time {
+    /// Whose.
+    pub(crate) submission: String,
+    /// As in `01-lines`.
+    pub(crate) lesson: String,
+    /// In the compiler and the linker.
+    pub(crate) compiling: f64,
+    /// In the program.
+    pub(crate) running: f64,
+}
+
+/// Writes all reports into a folder. Times aside, equal results give equal files.
+pub(crate) fn write(class: &Class, mut times: Vec<Time>, folder: &Path) -> anyhow::Result<()> {
+    class.write(folder)?;
+    times.sort_by(|a, b| (&a.submission, &a.lesson).cmp(&(&b.submission, &b.lesson)));
+    file::write(&folder.join(TIMES), &csv::times(&times)?)?;
+    file::write(&folder.join("grades.csv"), &csv::grades(class)?)?;
+    file::write(&folder.join("junit.xml"), junit::report(class)?.as_bytes())?;
+    for (name, works) in &class.submissions {
+        file::write(
+            &folder.join("gradescope").join(name).join("results.json"),
+            &gradescope::results(class, works)?,
+        )?;
+    }
+    file::write(&folder.join(PAGE), html::page(class)?.as_bytes())
+}
+
+/// The times that were written into a folder.
+pub(crate) fn times(folder: &Path) -> anyhow::Result<Vec<Time>> {
+    csv::read_times(&folder.join(TIMES))
+}
+
+const TIMES: &str = "times.csv";
+
+/// Why a work was not run, and what was said; nothing if it was.
+fn not_run(work: &Work) -> Option<(&'static str, &str)> {
+    match &work.outcome {
+        Outcome::Missing => Some(("there is no lib.rs for this lesson", "")),
+        Outcome::Refused(why) => Some(("it was not read", why)),
+        Outcome::NotCompiled(said) => Some(("it does not compile", said)),
+        Outcome::Ran { .. } => None,
+    }
+}
+
+/// What is wrong in a check, a line each; nothing if it is right.
+fn lines(judged: &Judged) -> Vec<String> {
+    let told = judged
+        .told
+        .iter()
+        .flat_map(|wrong| wrong.findings.iter().map(|finding| format!("{}: {finding}", wrong.input)));
+    let cause = judged.cause.iter().map(|cause| format!("likely cause: {cause}"));
+    let count = (judged.wrong > 1).then(|| format!("{} of {} inputs are wrong", judged.wrong, judged.inputs));
+    told.chain(cause).chain(count).collect()
+}

@@ -1,0 +1,40 @@
+//! `JUnit`'s XML, which forges show as test results: a suite for each submission and lesson, a case for each check.
+
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+
+use super::{lines, not_run};
+use crate::results::{Check, Class, Lesson, Outcome, Work};
+
+pub(super) fn report(class: &Class) -> anyhow::Result<String> {
+    let mut report = Report::new("grade");
+    for (name, works) in &class.submissions {
+        for (work, lesson) in works.iter().zip(&class.lessons) {
+            let mut suite = TestSuite::new(format!("{name}: {}", lesson.name));
+            suite.add_test_cases(cases(work, lesson));
+            report.add_test_suite(suite);
+        }
+    }
+    Ok(report.to_string()?)
+}
+
+fn cases(work: &Work, lesson: &Lesson) -> Vec<TestCase> {
+    let why = |check: usize| match &work.outcome {
+        Outcome::Ran { checks, .. } => checks.get(check).map(lines).unwrap_or_default(),
+        _ => {
+            not_run(work).map(|(why, said)| format!("{why}\n{said}").trim().to_string()).into_iter().collect()
+        }
+    };
+    let case = |(n, check): (usize, &Check)| {
+        let why = why(n);
+        let status = match why.first().and_then(|line| line.lines().next()) {
+            None => TestCaseStatus::success(),
+            Some(line) => {
+                let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+                status.set_message(line).set_description(why.join("\n"));
+                status
+            }
+        };
+        TestCase::new(format!("{} ({} points)", check.name, check.points), status)
+    };
+    lesson.checks.iter().enumerate().map(case).collect()
+}

@@ -1,0 +1,139 @@
+//! The walls around a compiler or a program that runs what a student wrote.
+//!
+//! The grader starts itself again as a launcher (`grade wall …`). The launcher limits itself and then becomes
+//! the program: what Linux has taken from a process, that process cannot take back.
+//!
+//! | wall | made of |
+//! |---|---|
+//! | files: what is not named cannot be read, written, listed or run | Landlock |
+//! | network, processes, threads, signals to others | a seccomp filter |
+//! | memory, CPU time, size of files and so of output | resource limits |
+//! | wall time | the parent, which kills |
+//! | what outlives the grader | a signal when the parent dies |
+
+mod calls;
+
+use std::convert::Infallible;
+use std::ffi::OsString;
+use std::os::unix::process::CommandExt;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, ensure};
+use landlock::{
+    ABI, Access, AccessFs, BitFlags, CompatLevel, Compatible, PathBeneath, PathFd, Ruleset, RulesetAttr,
+    RulesetCreatedAttr, RulesetStatus, path_beneath_rules,
+};
+use rustix::process::{Resource, Rlimit, Signal, set_parent_process_death_signal, setrlimit};
+use serde::{Deserialize, Serialize};
+
+/// What the launcher's exit code is when a wall could not be built. Nothing has run then.
+pub(crate) const NOT_BUILT: i32 = 125;
+
+/// A program within walls.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Walls {
+    /// Whether files, network and processes are walled off. The limits always hold.
+    pub(crate) closed: bool,
+    /// What the program does for a living, and so which system calls it needs.
+    pub(crate) role: Role,
+    /// Files and folders to read.
+    pub(crate) read: Vec<PathBuf>,
+    /// Programs and libraries to read and run.
+    pub(crate) run: Vec<PathBuf>,
+    /// Files and folders to write, too.
+    pub(crate) write: Vec<PathBuf>,
+    /// Bytes of memory.
+    pub(crate) memory: u64,
+    /// Seconds of CPU time.
+    pub(crate) cpu: u64,
+    /// Bytes of the largest file it may write.
+    pub(crate) file: u64,
+}
+
+/// What runs behind the walls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Role {
+    /// Reads what the student wrote: threads, but no other process.
+    Compiler,
+    /// Calls the system's linker. By now the student's text is no longer read.
+    Linker,
+    /// What the student wrote: it calculates.
+    Program,
+}
+
+impl Walls {
+    /// A command that runs a program within these walls, with an empty environment and in an empty folder.
+    pub(crate) fn command(&self, program: &std::path::Path) -> anyhow::Result<Command> {
+        let mut command = Command::new(std::env::current_exe().context("cannot find the grader itself")?);
+        command.arg("wall").arg(serde_json::to_string(self).context("a path is not UTF-8")?).arg(program);
+        command.env_clear().stdin(Stdio::null()).process_group(0);
+        Ok(command)
+    }
+
+    /// Builds the walls around this process, and becomes the program.
+    pub(crate) fn enter(&self, command: &[OsString]) -> anyhow::Result<Infallible> {
+        let (program, arguments) = command.split_first().context("there is no program to run")?;
+        set_parent_process_death_signal(Some(Signal::KILL)).context("cannot die with the parent")?;
+        for (resource, limit) in [
+            (Resource::As, self.memory),
+            (Resource::Cpu, self.cpu),
+            (Resource::Fsize, self.file),
+            (Resource::Core, 0),
+            (Resource::Nofile, 256),
+        ] {
+            let limit = Rlimit { current: Some(limit), maximum: Some(limit) };
+            setrlimit(resource, limit).with_context(|| format!("cannot limit {resource:?}"))?;
+        }
+        if self.closed {
+            self.close_files()?;
+            calls::restrict(self.role)?;
+        }
+        Err(Command::new(program).args(arguments).exec())
+            .with_context(|| format!("cannot run {}", program.display()))
+    }
+
+    /// Leaves this process the named files only.
+    fn close_files(&self) -> anyhow::Result<()> {
+        // ABI 3 is the first one under which a file cannot be truncated; ABI 5 adds devices. Nothing less will
+        // do, more is welcome.
+        let (least, most) = (ABI::V3, ABI::V5);
+        let read = AccessFs::ReadFile | AccessFs::ReadDir;
+        let ruleset = Ruleset::default()
+            .set_compatibility(CompatLevel::HardRequirement)
+            .handle_access(AccessFs::from_all(least))?
+            .set_compatibility(CompatLevel::BestEffort)
+            .handle_access(AccessFs::from_all(most))?
+            .create()?
+            .add_rules(path_beneath_rules(&self.read, read))?
+            .add_rules(path_beneath_rules(&self.run, read | AccessFs::Execute))?
+            .add_rules(path_beneath_rules(&self.write, read | AccessFs::from_write(least)))?
+            .add_rules([device("/dev/null", read | AccessFs::WriteFile)].into_iter().flatten())?;
+        let status = ruleset.restrict_self()?;
+        ensure!(status.ruleset != RulesetStatus::NotEnforced, "Landlock is not there");
+        Ok(())
+    }
+}
+
+/// Access to a device, if it is there.
+fn device(
+    path: &str,
+    access: BitFlags<AccessFs>,
+) -> Option<Result<PathBeneath<PathFd>, landlock::RulesetError>> {
+    let access = access & AccessFs::from_file(ABI::V3);
+    PathFd::new(path).ok().map(|device| Ok(PathBeneath::new(device, access)))
+}
+
+/// Folders with the system's libraries, for programs that load them when they start.
+pub(crate) fn libraries() -> Vec<PathBuf> {
+    existing(&["/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache"])
+}
+
+/// Folders with the system's compiler and linker.
+pub(crate) fn tools() -> Vec<PathBuf> {
+    existing(&["/bin", "/usr/bin", "/usr/libexec"])
+}
+
+fn existing(paths: &[&str]) -> Vec<PathBuf> {
+    paths.iter().map(PathBuf::from).filter(|path| path.exists()).collect()
+}

@@ -1,0 +1,1 @@
+fn attempt() -> bool { std::process::abort() }

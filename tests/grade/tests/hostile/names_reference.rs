@@ -1,0 +1,2 @@
+extern crate lines;
+fn attempt() -> bool { true }
