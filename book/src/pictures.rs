@@ -58,12 +58,12 @@ mod tests {
     use super::*;
 
     /// From lesson 7 on sines and fused multiplications differ between platforms by a rounding, which may give
-    /// a pixel at a side to its neighbour: one in 200 may differ.
+    /// a pixel at a side to its neighbour: one in 2,000 may differ.
     #[test]
     fn the_committed_pictures_are_what_the_lessons_draw() {
         let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("chapters/pictures");
         for (name, lesson, flags) in PICTURES {
-            let allowed = if *name < "07" { 0 } else { usize::from(SIZE) * usize::from(SIZE) / 200 };
+            let allowed = if *name < "07" { 0 } else { usize::from(SIZE) * usize::from(SIZE) / 2000 };
             let out_of_date = match Image::read(&committed.join(name)) {
                 Ok(picture) => faults(&picture, &draw(lesson, flags).unwrap(), 1).len() > allowed,
                 Err(_) => true,

@@ -118,12 +118,13 @@ pub fn assert_picture(name: &str, image: &Image, tolerance: u8) {
 }
 
 /// As [`assert_picture`], for a picture that depends on sines or on SIMD: each channel may differ by 1, and one
-/// pixel in 200 by any amount.
+/// pixel in 2,000 by any amount. (An eye moved by an ulp, or turns composed in f64 instead of f32, change one or
+/// two pixels of 40,000.)
 ///
 /// # Panics
 /// As [`assert_picture`].
 pub fn assert_similar(name: &str, image: &Image) {
-    let strays = (image.width() * image.height()) as usize / 200;
+    let strays = (image.width() * image.height()) as usize / 2000;
     assert_pixels(name, image, Pixels { tolerance: 1, strays });
 }
 
