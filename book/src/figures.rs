@@ -6,7 +6,11 @@
 mod front;
 mod lines;
 mod sheet;
+mod textures;
+mod triangles;
+mod wireframe;
 mod wrong;
+mod zbuffer;
 
 use std::panic::Location;
 use std::path::Path;
@@ -19,7 +23,17 @@ use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [front::FIGURES, lines::FIGURES, wrong::FIGURES].into_iter().flatten()
+    [
+        front::FIGURES,
+        lines::FIGURES,
+        wireframe::FIGURES,
+        triangles::FIGURES,
+        zbuffer::FIGURES,
+        textures::FIGURES,
+        wrong::FIGURES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// One figure.

@@ -65,9 +65,11 @@ pub fn fill(corners: [Vec2; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, 
 // ANCHOR_END: fill
 
 /// The nearest point of the grid of 1/256 px. Multiplying by a power of 2 rounds nothing.
+// ANCHOR: snap
 fn snap(corner: Vec2) -> [i64; 2] {
     corner.to_array().map(|coordinate| (coordinate * SUBPIXELS as f32).round_ties_even() as i64)
 }
+// ANCHOR_END: snap
 
 /// The pixels of `bounds` whose centres lie in the box about the corners.
 fn box_of([a, b, c]: [[i64; 2]; 3], bounds: Bounds) -> Bounds {
@@ -117,6 +119,7 @@ impl Whole for i128 {
 }
 
 /// The edge function of one side, as the scan moves over the pixels.
+// ANCHOR: edge
 struct Edge<I> {
     /// Its value at the first pixel of the row.
     row: I,
@@ -142,8 +145,10 @@ impl<I: Whole> Edge<I> {
             inside: if top_left { zero } else { one },
         }
     }
+    // ANCHOR_END: edge
 
     /// Cuts the row's pixels `first..=last` down to those on the inner side.
+    // ANCHOR: narrow
     fn narrow(&self, first: &mut i64, last: &mut i64) {
         let [zero, one] = [0, 1].map(I::of);
         let margin = self.row - self.inside;
@@ -157,6 +162,7 @@ impl<I: Whole> Edge<I> {
             *last = (*last).min(margin.over(zero - self.right));
         }
     }
+    // ANCHOR_END: narrow
 }
 
 /// The pixels of a row that a triangle covers.
