@@ -79,11 +79,9 @@ fn method(name: &str) -> anyhow::Result<&'static Sampler> {
     Method::find(METHODS, name).map(|method| &method.run).with_context(|| format!("no method `{name}`"))
 }
 
-/// The texture that lies beside the model; for a model without one, the side of a wooden box.
+/// The texture that lies beside the model.
 fn texture() -> anyhow::Result<Image> {
-    let beside = Path::new(DEFAULT_MODEL).with_extension("tga");
-    let wood = Path::new(DEFAULT_MODEL).with_file_name("crate.png");
-    Ok(Image::read(if beside.exists() { &beside } else { &wood })?)
+    Ok(Image::read(&Path::new(DEFAULT_MODEL).with_extension("tga"))?)
 }
 
 fn head() -> anyhow::Result<Drawing> {

@@ -7,7 +7,7 @@ use common::{Attributes, Color, Format, Image, Model, Vec2, Vec3};
 use lines::line;
 use wireframe::{three_per_triangle, to_pixel, wireframe};
 
-use super::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, RED, SKY, Sheet};
+use super::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, PAPER, RED, SKY, Sheet};
 use super::{Drawing, Figure, beside, model};
 
 pub(super) const FIGURES: &[Figure] = &[
@@ -173,7 +173,11 @@ fn counts() -> anyhow::Result<Drawing> {
     }
     for (edge, times) in &times {
         let [a, b] = edge.map(place);
-        sheet.text((a + b) / 2.0, &format!("{times}×"), if *times == 1 { BLUE } else { RED });
+        let middle = (a + b) / 2.0;
+        let [right, up] = [Vec2::X * 0.2, Vec2::Y * 0.13];
+        let ground = [middle - right - up, middle + right - up, middle + right + up, middle - right + up];
+        sheet.polygon(&ground, PAPER, "none");
+        sheet.text(middle, &format!("{times}×"), if *times == 1 { BLUE } else { RED });
     }
     model.positions().iter().for_each(|point| sheet.dot(point.truncate(), BLACK));
     sheet.finish()
@@ -187,12 +191,10 @@ fn fans() -> anyhow::Result<Drawing> {
         let vertices: String = corners.iter().map(|(x, y)| format!("v {x} {y} 0\n")).collect();
         let text = format!("{vertices}f 1 2 3 4 5 6\n");
         let model = Model::parse(text.as_bytes(), Attributes::default()).map_err(|e| anyhow!(e))?;
-        for triangle in model.faces() {
-            let [a, b, c] = triangle.map(Vec3::truncate);
-            // Clockwise: it lies outside.
-            let fill = if (b - a).perp_dot(c - a) < 0.0 { AMBER } else { SKY };
-            sheet.polygon(&[a, b, c], fill, BLUE);
-        }
+        let faces = || model.faces().map(|face| face.map(Vec3::truncate));
+        let inside = |[a, b, c]: &[Vec2; 3]| (b - a).perp_dot(c - a) > 0.0;
+        faces().filter(|face| inside(face)).for_each(|face| sheet.polygon(&face, SKY, BLUE));
+        faces().filter(|face| !inside(face)).for_each(|face| sheet.polygon(&face, AMBER, BLUE));
         let outline: Vec<Vec2> = corners.iter().chain([&corners[0]]).map(|&(x, y)| Vec2::new(x, y)).collect();
         sheet.polyline(&outline, BLACK, 3.5);
         sheet.dot(outline[0], RED);
