@@ -319,7 +319,7 @@ fn row() -> anyhow::Result<Drawing> {
     let level = y as f32 + 0.5;
     sheet.dashed(Vec2::new(0.0, level), Vec2::new(15.0, level), GREY, 1.5);
     (0..15).for_each(|x| {
-        sheet.dot(Vec2::new(x as f32 + 0.5, level), if inside.contains(&x) { GREEN } else { GREY })
+        sheet.dot(Vec2::new(x as f32 + 0.5, level), if inside.contains(&x) { GREEN } else { GREY });
     });
     let [a, b, c] = corners;
     for (from, to, ink) in [(c, a, BLUE), (b, c, RED)] {

@@ -1,6 +1,7 @@
 //! Chapter 2: a model's edges.
 
 use std::collections::BTreeMap;
+use std::f32::consts::FRAC_PI_3;
 
 use anyhow::{Context, anyhow};
 use common::{Attributes, Color, Format, Image, Model, Vec2, Vec3};
@@ -159,7 +160,7 @@ fn border() -> anyhow::Result<Drawing> {
 }
 
 fn counts() -> anyhow::Result<Drawing> {
-    let rim = (0..6).map(|n| (Vec2::from_angle(n as f32 * 1.047_197_6) * Vec2::new(2.4, 1.5)).extend(0.0));
+    let rim = (0..6).map(|n| (Vec2::from_angle(n as f32 * FRAC_PI_3) * Vec2::new(2.4, 1.5)).extend(0.0));
     let corners: Vec<Vec3> = std::iter::once(Vec3::ZERO).chain(rim).collect();
     let triangles = (0..6).map(|n| [0, n + 1, (n + 1) % 6 + 1]).collect();
     let model = Model::from_triangles(corners, triangles).map_err(|e| anyhow!(e))?;
