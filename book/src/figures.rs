@@ -4,6 +4,7 @@
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
 mod front;
+mod gouraud;
 mod lines;
 mod sheet;
 mod wrong;
@@ -19,7 +20,7 @@ use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [front::FIGURES, lines::FIGURES, wrong::FIGURES].into_iter().flatten()
+    [front::FIGURES, lines::FIGURES, gouraud::FIGURES, wrong::FIGURES].into_iter().flatten()
 }
 
 /// One figure.

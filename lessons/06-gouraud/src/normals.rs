@@ -2,6 +2,7 @@
 
 use common::{Model, Vec3};
 
+// ANCHOR: corner_normals
 /// The unit normals of each triangle's corners: the model's, or computed where it has none.
 ///
 /// A normal of the file may have any length. One without a length has no direction: its triangle's own
@@ -19,6 +20,9 @@ pub fn corner_normals(model: &Model) -> Vec<[Vec3; 3]> {
     given.into_iter().zip(faces).map(unit).collect()
 }
 
+// ANCHOR_END: corner_normals
+
+// ANCHOR: mean_normals
 /// At each position the sum of the normals of the triangles there, each as long as its triangle is large.
 fn mean_normals(model: &Model) -> Vec<[Vec3; 3]> {
     let mut sums = vec![Vec3::ZERO; model.positions().len()];
@@ -32,3 +36,4 @@ fn mean_normals(model: &Model) -> Vec<[Vec3; 3]> {
 fn area_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
     (b - a).cross(c - a)
 }
+// ANCHOR_END: mean_normals
