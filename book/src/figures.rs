@@ -7,6 +7,7 @@ mod front;
 mod gouraud;
 mod lines;
 mod sheet;
+mod transforms;
 mod wrong;
 
 use std::panic::Location;
@@ -20,7 +21,9 @@ use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [front::FIGURES, lines::FIGURES, gouraud::FIGURES, wrong::FIGURES].into_iter().flatten()
+    [front::FIGURES, lines::FIGURES, gouraud::FIGURES, transforms::FIGURES, wrong::FIGURES]
+        .into_iter()
+        .flatten()
 }
 
 /// One figure.

@@ -8,6 +8,7 @@ use common::{Mat3, Mat4, Vec3};
 
 use crate::inverse::cofactors;
 
+// ANCHOR: translate
 /// Moves points by a vector.
 #[must_use]
 pub fn translate(by: Vec3) -> Mat4 {
@@ -15,13 +16,17 @@ pub fn translate(by: Vec3) -> Mat4 {
     m.w_axis = by.extend(1.0);
     m
 }
+// ANCHOR_END: translate
 
+// ANCHOR: scale
 /// Stretches along the axes, the origin staying where it is.
 #[must_use]
 pub fn scale(by: Vec3) -> Mat4 {
     Mat4::from_diagonal(by.extend(1.0))
 }
+// ANCHOR_END: scale
 
+// ANCHOR: shear_x
 /// Slants along x: x' = x + `by_y`·y + `by_z`·z.
 #[must_use]
 pub fn shear_x(by_y: f32, by_z: f32) -> Mat4 {
@@ -30,6 +35,7 @@ pub fn shear_x(by_y: f32, by_z: f32) -> Mat4 {
     m.z_axis.x = by_z;
     m
 }
+// ANCHOR_END: shear_x
 
 /// Turns about the x axis, from y towards z; the angle in degrees.
 #[must_use]
@@ -45,31 +51,40 @@ pub fn rotate_y(degrees: f32) -> Mat3 {
     Mat3::from_cols(Vec3::new(cos, 0.0, -sin), Vec3::Y, Vec3::new(sin, 0.0, cos))
 }
 
+// ANCHOR: rotate_z
 /// Turns about the z axis, from x towards y; the angle in degrees.
 #[must_use]
 pub fn rotate_z(degrees: f32) -> Mat3 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     Mat3::from_cols(Vec3::new(cos, sin, 0.0), Vec3::new(-sin, cos, 0.0), Vec3::Z)
 }
+// ANCHOR_END: rotate_z
 
+// ANCHOR: euler
 /// Turns by Euler angles in degrees: about z first, then x, then y (assignment, *Version 0*).
 #[must_use]
 pub fn euler(degrees: Vec3) -> Mat3 {
     rotate_y(degrees.y) * rotate_x(degrees.x) * rotate_z(degrees.z)
 }
+// ANCHOR_END: euler
 
+// ANCHOR: model
 /// Places a model: scales it, turns it by Euler angles in degrees, moves it; T·Ry·Rx·Rz·S.
 #[must_use]
 pub fn model(translation: Vec3, degrees: Vec3, size: Vec3) -> Mat4 {
     translate(translation) * Mat4::from_mat3(euler(degrees)) * scale(size)
 }
+// ANCHOR_END: model
 
+// ANCHOR: about
 /// Does about a point what `m` does about the origin: moves the point there, applies `m`, moves it back.
 #[must_use]
 pub fn about(point: Vec3, m: Mat4) -> Mat4 {
     translate(point) * m * translate(-point)
 }
+// ANCHOR_END: about
 
+// ANCHOR: normal_matrix
 /// What turns normals as `m` turns surfaces: the inverse transpose. `None` where `m` flattens space.
 ///
 /// A tangent t becomes M·t; n'·(M·t) must stay n·t = 0, and n' = M⁻ᵀ·n does it (notes, I.1). The length of
@@ -78,3 +93,4 @@ pub fn about(point: Vec3, m: Mat4) -> Mat4 {
 pub fn normal_matrix(m: &Mat4) -> Option<Mat3> {
     cofactors(&Mat4::from_mat3(Mat3::from_mat4(*m))).map(|inverse| Mat3::from_mat4(inverse.transpose()))
 }
+// ANCHOR_END: normal_matrix

@@ -27,6 +27,7 @@ pub const INVERSES: &[Method<Invert>] = &[
     },
 ];
 
+// ANCHOR: cofactors
 /// The inverse by cofactors: the transposed signed minors over the determinant.
 #[must_use]
 pub fn cofactors(m: &Mat4) -> Option<Mat4> {
@@ -43,12 +44,14 @@ pub fn cofactors(m: &Mat4) -> Option<Mat4> {
     let inverse = adjugate * (1.0 / det);
     inverse.is_finite().then_some(inverse)
 }
+// ANCHOR_END: cofactors
 
 /// The determinant of a 3×3 matrix: the volume that its columns span.
 fn determinant(m: Mat3) -> f32 {
     m.x_axis.dot(m.y_axis.cross(m.z_axis))
 }
 
+// ANCHOR: elimination
 /// The inverse by elimination: what turns M into the identity turns the identity into M⁻¹.
 #[must_use]
 pub fn elimination(m: &Mat4) -> Option<Mat4> {
@@ -71,7 +74,9 @@ pub fn elimination(m: &Mat4) -> Option<Mat4> {
     let inverse = Mat4::from_cols(right[0], right[1], right[2], right[3]).transpose();
     inverse.is_finite().then_some(inverse)
 }
+// ANCHOR_END: elimination
 
+// ANCHOR: rigid
 /// The inverse of a rotation followed by a move: Rᵀ·(p − t).
 #[must_use]
 pub fn rigid(m: &Mat4) -> Mat4 {
@@ -80,3 +85,4 @@ pub fn rigid(m: &Mat4) -> Mat4 {
     inverse.w_axis = (-(back * m.w_axis.truncate())).extend(1.0);
     inverse
 }
+// ANCHOR_END: rigid

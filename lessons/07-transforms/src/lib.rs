@@ -55,6 +55,7 @@ pub const METHODS: &[Method<Compose>] = &[
     },
 ];
 
+// ANCHOR: orthonormal
 /// A rotation near to a matrix that is nearly one, by Gram and Schmidt: the first column keeps its direction,
 /// the second its plane with the first.
 #[must_use]
@@ -63,6 +64,7 @@ pub fn orthonormal(m: Mat3) -> Mat3 {
     let y = (m.y_axis - x * x.dot(m.y_axis)).normalize();
     Mat3::from_cols(x, y, x.cross(y))
 }
+// ANCHOR_END: orthonormal
 
 /// Stretches [−1, 1]² over a picture of that size in pixels: the middle goes to the middle, and a length of 1
 /// becomes `zoom` times the side. With `zoom` ½ the square fills the picture. Depth stays.

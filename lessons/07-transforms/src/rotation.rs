@@ -66,13 +66,16 @@ where
 }
 // ANCHOR_END: rodrigues
 
+// ANCHOR: quaternion
 /// The quaternion of a rotation: sin of half the angle along the axis, and cos of half the angle.
 #[must_use]
 pub fn quaternion(axis: Vec3, angle: f32) -> Quat {
     let (sin, cos) = (angle / 2.0).sin_cos();
     Quat::from_xyzw(axis.x * sin, axis.y * sin, axis.z * sin, cos)
 }
+// ANCHOR_END: quaternion
 
+// ANCHOR: from_quaternion
 /// The rotation of a quaternion of length 1: the matrix of u ↦ q·u·q*.
 #[must_use]
 pub fn from_quaternion(q: Quat) -> Mat3 {
@@ -83,7 +86,9 @@ pub fn from_quaternion(q: Quat) -> Mat3 {
         Vec3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)),
     )
 }
+// ANCHOR_END: from_quaternion
 
+// ANCHOR: euler_angles
 /// The Euler angles, in degrees, of a rotation: `euler` of them is the rotation again.
 ///
 /// The third row-and-column entries of Ry·Rx·Rz say how: its element (y, z) is −sin x. At x = ±90° only the
@@ -99,6 +104,7 @@ pub fn euler_angles(m: Mat3) -> Vec3 {
     };
     Vec3::new(x, y, z) * 1f32.to_degrees()
 }
+// ANCHOR_END: euler_angles
 
 /// By way of the three Euler angles, as a program works that stores orientations so.
 fn by_euler(axis: Vec3, angle: f32) -> Mat3 {
