@@ -3,6 +3,7 @@
 //! A figure is a row of a table `FIGURES` in the file of its chapter: a name, what a reader who cannot see it
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
+mod camera;
 mod front;
 mod gouraud;
 mod lines;
@@ -21,7 +22,7 @@ use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [front::FIGURES, lines::FIGURES, gouraud::FIGURES, transforms::FIGURES, wrong::FIGURES]
+    [front::FIGURES, lines::FIGURES, gouraud::FIGURES, transforms::FIGURES, camera::FIGURES, wrong::FIGURES]
         .into_iter()
         .flatten()
 }

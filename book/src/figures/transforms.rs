@@ -262,8 +262,8 @@ fn about_point() -> anyhow::Result<Drawing> {
 
 fn rodrigues_parts() -> anyhow::Result<Drawing> {
     let see = seen_from(Vec3::new(0.0, 1.8, 2.6))?;
-    let mut sheet = Sheet::new(Vec2::new(-2.2, -0.3), Vec2::new(2.2, 2.45));
-    let (axis, u, angle) = (Vec3::Y, Vec3::new(-1.48, 1.5, 0.26), 55_f32.to_radians());
+    let mut sheet = Sheet::new(Vec2::new(-2.3, -0.2), Vec2::new(2.3, 2.95));
+    let (axis, u, angle) = (Vec3::Y, Vec3::new(-0.75, 1.9, 1.3), 55_f32.to_radians());
     let along = axis * axis.dot(u);
     let across = u - along;
     let v = axis.cross(across);
@@ -274,16 +274,16 @@ fn rodrigues_parts() -> anyhow::Result<Drawing> {
         sheet.dashed(see(along), see(end), ink, 2.0);
     }
     sheet.line(see(Vec3::ZERO), see(along), GREEN, 3.0);
-    sheet.arrow(see(along), see(axis * 2.75), BLACK);
+    sheet.arrow(see(along), see(axis * 3.4), BLACK);
     sheet.arrow(see(Vec3::ZERO), see(u), BLUE);
     sheet.arrow(see(Vec3::ZERO), see(turned), RED);
     sheet.dot(see(along), GREEN);
     sheet.dot(see(along + v), PURPLE);
-    sheet.text_right_of(see(axis * 2.6) + Vec2::new(0.1, 0.0), "Δ", BLACK);
-    sheet.text_left_of(see(u * 0.6) + Vec2::new(-0.1, -0.1), "u", BLUE);
-    sheet.text_left_of(see(turned * 0.62) + Vec2::new(-0.06, -0.08), "u′", RED);
-    sheet.text_right_of(see(along * 0.55) + Vec2::new(0.08, 0.0), "u∥", GREEN);
-    sheet.text(see(along + across * 0.55) + Vec2::new(0.0, 0.14), "u⊥", GREY);
+    sheet.text_right_of(see(axis * 3.25) + Vec2::new(0.1, 0.0), "Δ", BLACK);
+    sheet.text_left_of(see(u * 0.6) + Vec2::new(-0.08, -0.04), "u", BLUE);
+    sheet.text_right_of(see(turned * 0.6) + Vec2::new(0.1, -0.04), "u′", RED);
+    sheet.text_left_of(see(along) + Vec2::new(-0.1, 0.16), "u∥", GREEN);
+    sheet.text_left_of(see(along + across * 0.6) + Vec2::new(-0.06, 0.08), "u⊥", GREY);
     sheet.text_right_of(see(along + v) + Vec2::new(0.1, -0.12), "v = Δ × u⊥", PURPLE);
     sheet.finish()
 }

@@ -71,8 +71,10 @@ pub fn basis(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat3> {
 }
 // ANCHOR_END: basis
 
+// ANCHOR: farthest_axis
 /// The axis that makes the largest angle with a direction: y before z before x where they are equal.
 fn farthest_axis(direction: Vec3) -> Vec3 {
     let along = |axis: &Vec3| axis.dot(direction).abs();
     [Vec3::Y, Vec3::Z, Vec3::X].into_iter().min_by(|a, b| along(a).total_cmp(&along(b))).unwrap_or(Vec3::Y)
 }
+// ANCHOR_END: farthest_axis

@@ -8,12 +8,14 @@ use common::program::{Drawing, Flags, write_pictures};
 use indicatif::{ProgressBar, ProgressStyle};
 use transforms::rotation::rodrigues;
 
+// ANCHOR: turned
 /// Where the eye is after a share of a full turn, to the right, about the centre.
 #[must_use]
 pub fn turned(eye: Vec3, center: Vec3, up: Vec3, share: f32) -> Vec3 {
     let axis = up.try_normalize().unwrap_or(Vec3::Y);
     center + rodrigues(axis, share * TAU) * (eye - center)
 }
+// ANCHOR_END: turned
 
 /// Draws the pictures that `--turntable` asks for and writes them as NAME-000, NAME-001 and so on.
 ///

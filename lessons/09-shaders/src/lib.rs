@@ -64,6 +64,7 @@ impl Target {
     }
 }
 
+// ANCHOR: look
 /// A colour source under a lighting.
 pub struct Look<'a, S, L> {
     scene: &'a Scene<'a>,
@@ -98,6 +99,7 @@ impl<S: Source, L: Lighting> Shader for Look<'_, S, L> {
         (intensity >= 0.0).then(|| self.source.color(source).shaded(intensity))
     }
 }
+// ANCHOR_END: look
 
 /// Draws a scene; returns how many triangles were left out since they reach behind the eye.
 pub type Render = fn(&Scene, &mut Target) -> usize;
@@ -114,6 +116,7 @@ pub struct Rendering {
     pub dynamic: Render,
 }
 
+// ANCHOR: macro
 /// Makes a [`Rendering`] of a colour source and a lighting.
 macro_rules! look {
     ($source:ident, $lighting:ident, $needs:expr) => {{
@@ -131,6 +134,7 @@ macro_rules! look {
         }
     }};
 }
+// ANCHOR_END: macro
 
 const NOTHING: Attributes = Attributes { normals: false, uvs: false };
 const UVS: Attributes = Attributes { normals: false, uvs: true };
@@ -174,6 +178,7 @@ pub const SHADERS: &[Method<Rendering>] = &[
 /// The way in which a look is drawn by one method.
 pub type Choose = fn(&Rendering) -> Render;
 
+// ANCHOR: methods
 /// The ways to call a shader.
 pub const METHODS: &[Method<Choose>] = &[
     Method {
@@ -189,3 +194,4 @@ pub const METHODS: &[Method<Choose>] = &[
         failure: "the program grows with every shader, and must know them all",
     },
 ];
+// ANCHOR_END: methods

@@ -6,6 +6,7 @@ use triangles::flat_intensity;
 use crate::Scene;
 use crate::program::Varying;
 
+// ANCHOR: lighting
 /// A way to light a surface.
 pub trait Lighting {
     /// What is the same all over a triangle.
@@ -19,6 +20,7 @@ pub trait Lighting {
     /// The brightness at a pixel: 1 is full, 0 black, below 0 drops the fragment.
     fn intensity(&self, constant: Self::Constant, varying: Self::Varying) -> f32;
 }
+// ANCHOR_END: lighting
 
 /// One brightness a triangle, computed and tested once.
 pub struct Flat<'a> {
@@ -33,6 +35,7 @@ impl<'a> Flat<'a> {
     }
 }
 
+// ANCHOR: flat
 impl Lighting for Flat<'_> {
     type Constant = f32;
     type Varying = ();
@@ -51,6 +54,7 @@ impl Lighting for Flat<'_> {
         constant
     }
 }
+// ANCHOR_END: flat
 
 /// The brightness at the corners, interpolated.
 pub struct Gouraud<'a> {
@@ -66,6 +70,7 @@ impl<'a> Gouraud<'a> {
     }
 }
 
+// ANCHOR: gouraud
 impl Lighting for Gouraud<'_> {
     type Constant = ();
     type Varying = f32;
@@ -86,6 +91,7 @@ impl Lighting for Gouraud<'_> {
         varying
     }
 }
+// ANCHOR_END: gouraud
 
 /// Gouraud's brightness, cut down to the nearest lower one of a few steps: ⌊N·min(i, 1)⌋ / N.
 pub struct Quantized<'a> {
@@ -101,6 +107,7 @@ impl<'a> Quantized<'a> {
     }
 }
 
+// ANCHOR: quantized
 impl Lighting for Quantized<'_> {
     type Constant = ();
     type Varying = f32;
@@ -121,3 +128,4 @@ impl Lighting for Quantized<'_> {
         (intensity.min(1.0) * self.levels).floor() / self.levels
     }
 }
+// ANCHOR_END: quantized

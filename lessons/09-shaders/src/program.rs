@@ -8,6 +8,7 @@ use zbuffer::depth_at;
 
 use crate::Target;
 
+// ANCHOR: shader
 /// The three steps in which a look is computed. What a shader does not use has the type `()` and costs nothing.
 pub trait Shader {
     /// Computed once a triangle.
@@ -25,24 +26,31 @@ pub trait Shader {
     /// At a pixel: its colour, or `None` to leave colour and depth as they are.
     fn fragment(&self, constant: Self::Constant, varying: Self::Varying) -> Option<Color>;
 }
+// ANCHOR_END: shader
 
+// ANCHOR: varying
 /// What can be interpolated: a weighted mean of three.
 pub trait Varying: Copy + Default {
     /// The mean of the three corners' values, each with its barycentric weight.
     fn interpolate(corners: [Self; 3], weights: Vec3) -> Self;
 }
+// ANCHOR_END: varying
 
+// ANCHOR: varying_nothing
 impl Varying for () {
     #[inline]
     fn interpolate(_: [(); 3], _: Vec3) {}
 }
+// ANCHOR_END: varying_nothing
 
+// ANCHOR: varying_number
 impl Varying for f32 {
     #[inline]
     fn interpolate(corners: [f32; 3], weights: Vec3) -> f32 {
         Vec3::from_array(corners).dot(weights)
     }
 }
+// ANCHOR_END: varying_number
 
 impl Varying for Vec2 {
     #[inline]
@@ -51,12 +59,14 @@ impl Varying for Vec2 {
     }
 }
 
+// ANCHOR: varying_pair
 impl<A: Varying, B: Varying> Varying for (A, B) {
     #[inline]
     fn interpolate(corners: [(A, B); 3], weights: Vec3) -> (A, B) {
         (A::interpolate(corners.map(|c| c.0), weights), B::interpolate(corners.map(|c| c.1), weights))
     }
 }
+// ANCHOR_END: varying_pair
 
 /// Three corners' weights.
 impl Varying for Vec3 {
@@ -66,6 +76,7 @@ impl Varying for Vec3 {
     }
 }
 
+// ANCHOR: program
 /// A shader that keeps what it computed for the triangle at hand, as the slides' C++ shaders do. Shaders of
 /// all types then look the same from outside, and `dyn Program` is any of them.
 pub trait Program {
@@ -76,7 +87,9 @@ pub trait Program {
     /// The colour at a pixel with these barycentric weights, or `None` to leave it as it is.
     fn fragment(&self, weights: Vec3) -> Option<Color>;
 }
+// ANCHOR_END: program
 
+// ANCHOR: stored
 /// A [`Shader`] as a [`Program`].
 pub struct Stored<S: Shader> {
     shader: S,
@@ -107,6 +120,7 @@ impl<S: Shader> Program for Stored<S> {
         self.shader.fragment(self.constant?, S::Varying::interpolate(self.varyings, weights))
     }
 }
+// ANCHOR_END: stored
 
 /// Any [`Program`] as a [`Shader`], so that one loop draws with both: it is the weights that are interpolated,
 /// each 1 at its own corner.

@@ -6,6 +6,7 @@ use textures::texel;
 use crate::Scene;
 use crate::program::Varying;
 
+// ANCHOR: source
 /// A source of colour.
 pub trait Source {
     /// What it interpolates.
@@ -15,6 +16,7 @@ pub trait Source {
     /// The colour at a pixel.
     fn color(&self, varying: Self::Varying) -> Color;
 }
+// ANCHOR_END: source
 
 /// White all over.
 pub struct White;
@@ -27,6 +29,7 @@ impl White {
     }
 }
 
+// ANCHOR: white
 impl Source for White {
     type Varying = ();
 
@@ -38,6 +41,7 @@ impl Source for White {
         Color::WHITE
     }
 }
+// ANCHOR_END: white
 
 /// The scene's texture; black without one.
 pub struct Texture<'a> {
@@ -53,6 +57,7 @@ impl<'a> Texture<'a> {
     }
 }
 
+// ANCHOR: texture
 impl Source for Texture<'_> {
     type Varying = Vec2;
 
@@ -66,3 +71,4 @@ impl Source for Texture<'_> {
         self.texture.map_or(Color::BLACK, |texture| texel(texture, uv))
     }
 }
+// ANCHOR_END: texture
