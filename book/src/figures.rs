@@ -7,6 +7,7 @@ mod camera;
 mod front;
 mod gouraud;
 mod lines;
+mod shaders;
 mod sheet;
 mod transforms;
 mod wrong;
@@ -22,9 +23,17 @@ use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [front::FIGURES, lines::FIGURES, gouraud::FIGURES, transforms::FIGURES, camera::FIGURES, wrong::FIGURES]
-        .into_iter()
-        .flatten()
+    [
+        front::FIGURES,
+        lines::FIGURES,
+        gouraud::FIGURES,
+        transforms::FIGURES,
+        camera::FIGURES,
+        shaders::FIGURES,
+        wrong::FIGURES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// One figure.

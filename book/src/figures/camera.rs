@@ -7,10 +7,10 @@ use common::{Image, Mat3, Method, Vec2, Vec3};
 use gouraud::{Scene, corner_normals, gouraud};
 use transforms::{place, projection, viewport};
 
-use super::gouraud::{canvas, texture};
+use super::gouraud::canvas;
 use super::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, PURPLE, RED, SKY, Sheet};
 use super::transforms::seen_from;
-use super::{Drawing, Figure, beside, model};
+use super::{Drawing, Figure, beside, model, texture};
 
 pub(super) const FIGURES: &[Figure] = &[
     Figure::new("camera-head", "The model from the front, and from the right and above.", || {

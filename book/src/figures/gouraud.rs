@@ -1,18 +1,17 @@
 //! Chapter 6: smooth shading.
 
-use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use std::fmt::Write;
-use std::path::Path;
 
 use anyhow::Context;
-use common::program::DEFAULT_MODEL;
+use assets::sphere::sphere;
 use common::{Attributes, Color, Format, Image, Mat3, Method, Model, Vec2, Vec3};
 use gouraud::{METHODS, Scene, corner_normals, gouraud, intensities};
 use transforms::affine::{rotate_x, rotate_y};
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
-use super::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, RED, Sheet};
-use super::{Drawing, Figure, beside, model};
+use super::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, RED, Sheet};
+use super::{Drawing, Figure, beside, model, texture};
 
 pub(super) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -20,12 +19,6 @@ pub(super) const FIGURES: &[Figure] = &[
         "The same textured model three times: in flat colours without any light, with visible facets, and \
          smoothly shaded.",
         three,
-    ),
-    Figure::new(
-        "gouraud-cosine",
-        "A beam of light of width 1 falls on a level surface and lights a stretch of length 1. The same beam \
-         falls on a tilted surface and lights a longer stretch, 1 over the cosine of the tilt.",
-        cosine,
     ),
     Figure::new(
         "gouraud-normals",
@@ -83,13 +76,6 @@ pub(super) const FIGURES: &[Figure] = &[
     ),
 ];
 
-/// The texture of the lessons' model; the wooden box's where that has none of its own.
-pub(super) fn texture() -> anyhow::Result<Image> {
-    let model = Path::new(DEFAULT_MODEL);
-    let own = model.with_extension("tga");
-    Ok(Image::read(&if own.exists() { own } else { model.with_file_name("crate.png") })?)
-}
-
 /// One white texel.
 pub(super) fn white() -> Image {
     let mut white = Image::new(1, 1, Format::Rgb);
@@ -109,29 +95,7 @@ pub(super) fn parsed(text: &str) -> anyhow::Result<Model> {
 
 /// A ball of radius 1 in bands and sectors, with normals.
 pub(super) fn ball(bands: usize, sectors: usize) -> anyhow::Result<Model> {
-    let mut text = String::new();
-    for band in 0..=bands {
-        for sector in 0..=sectors {
-            let [height, around] = [band as f32 / bands as f32, sector as f32 / sectors as f32];
-            let (radius, y) = (PI * height).sin_cos();
-            let (x, z) = (TAU * around).sin_cos();
-            let p = Vec3::new(radius * x, -y, radius * z);
-            writeln!(text, "v {0} {1} {2}\nvn {0} {1} {2}\nvt {around} {height}", p.x, p.y, p.z)?;
-        }
-    }
-    let corner = |band: usize, sector: usize| format!("{0}/{0}/{0}", band * (sectors + 1) + sector + 1);
-    for (band, sector) in (0..bands).flat_map(|band| (0..sectors).map(move |sector| (band, sector))) {
-        let [a, b] = [corner(band, sector), corner(band, sector + 1)];
-        let [c, d] = [corner(band + 1, sector + 1), corner(band + 1, sector)];
-        // At the poles two corners are one.
-        if band > 0 {
-            writeln!(text, "f {a} {b} {c}")?;
-        }
-        if band + 1 < bands {
-            writeln!(text, "f {a} {c} {d}")?;
-        }
-    }
-    parsed(&text)
+    parsed(&sphere(bands, sectors).to_obj())
 }
 
 /// A white model by one of the lesson's methods.
@@ -175,46 +139,6 @@ fn three() -> anyhow::Result<Drawing> {
         Ok(middle(&image))
     });
     beside(&[&none?, &flat?, &smooth?])
-}
-
-fn cosine() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.5, -0.75), Vec2::new(5.55, 2.75));
-    let at = Vec2::new;
-    let tilt = 50_f32.to_radians();
-    let beam = |sheet: &mut Sheet, left: f32, low: f32, high: f32| {
-        let top = 2.3;
-        sheet.polygon(
-            &[at(left, low), at(left + 1.0, high), at(left + 1.0, top), at(left, top)],
-            AMBER,
-            "none",
-        );
-        for n in 0..3 {
-            let x = left + 0.2 + 0.3 * n as f32;
-            sheet.arrow(at(x, 2.2), at(x, 1.7), BLACK);
-        }
-        sheet.text(at(left + 0.5, 2.52), "width 1", BLACK);
-    };
-    beam(&mut sheet, 0.4, 0.0, 0.0);
-    sheet.line(at(-0.3, 0.0), at(1.9, 0.0), GREY, 3.0);
-    sheet.line(at(0.4, 0.0), at(1.4, 0.0), RED, 5.0);
-    sheet.text(at(0.9, -0.25), "lit: 1", RED);
-
-    // The tilted surface passes through the middle of the beam.
-    let (middle, along) = (at(3.6, 0.55), Vec2::from_angle(tilt));
-    let rise = 0.5 * tilt.tan();
-    beam(&mut sheet, 3.1, middle.y - rise, middle.y + rise);
-    let half = 0.5 / tilt.cos();
-    sheet.line(middle - along * 1.45, middle + along * 1.45, GREY, 3.0);
-    sheet.line(middle - along * half, middle + along * half, RED, 5.0);
-    let normal = along.perp();
-    sheet.arrow(middle, middle + normal * 1.05, BLUE);
-    sheet.arrow(middle, middle + at(0.0, 1.05), GREEN);
-    sheet.arc(middle, 0.5, FRAC_PI_2, FRAC_PI_2 + tilt, BLACK);
-    sheet.text(middle + 0.68 * Vec2::from_angle(FRAC_PI_2 + tilt / 2.0), "θ", BLACK);
-    sheet.text_left_of(middle + normal * 1.13, "normal n", BLUE);
-    sheet.text_right_of(at(4.2, 1.62), "ℓ: to the light", GREEN);
-    sheet.text_right_of(at(3.85, 0.1), "lit: 1 / cos θ", RED);
-    sheet.finish()
 }
 
 fn normals() -> anyhow::Result<Drawing> {

@@ -10,9 +10,9 @@ use transforms::affine::{about, rotate_x, rotate_y, rotate_z, shear_x};
 use transforms::rotation::{from_quaternion, quaternion, rodrigues, rodrigues_f64};
 use transforms::{METHODS, normal_matrix, place, projection, scale, translate, viewport};
 
-use super::gouraud::{ball, canvas, parsed, texture, white};
+use super::gouraud::{ball, canvas, parsed, white};
 use super::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, PURPLE, RED, SKY, Sheet};
-use super::{Drawing, Figure, beside, model};
+use super::{Drawing, Figure, beside, model, texture};
 
 pub(super) const FIGURES: &[Figure] = &[
     Figure::new(

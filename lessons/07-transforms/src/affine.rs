@@ -18,15 +18,12 @@ pub fn translate(by: Vec3) -> Mat4 {
 }
 // ANCHOR_END: translate
 
-// ANCHOR: scale
 /// Stretches along the axes, the origin staying where it is.
 #[must_use]
 pub fn scale(by: Vec3) -> Mat4 {
     Mat4::from_diagonal(by.extend(1.0))
 }
-// ANCHOR_END: scale
 
-// ANCHOR: shear_x
 /// Slants along x: x' = x + `by_y`·y + `by_z`·z.
 #[must_use]
 pub fn shear_x(by_y: f32, by_z: f32) -> Mat4 {
@@ -35,7 +32,6 @@ pub fn shear_x(by_y: f32, by_z: f32) -> Mat4 {
     m.z_axis.x = by_z;
     m
 }
-// ANCHOR_END: shear_x
 
 /// Turns about the x axis, from y towards z; the angle in degrees.
 #[must_use]
@@ -51,14 +47,12 @@ pub fn rotate_y(degrees: f32) -> Mat3 {
     Mat3::from_cols(Vec3::new(cos, 0.0, -sin), Vec3::Y, Vec3::new(sin, 0.0, cos))
 }
 
-// ANCHOR: rotate_z
 /// Turns about the z axis, from x towards y; the angle in degrees.
 #[must_use]
 pub fn rotate_z(degrees: f32) -> Mat3 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     Mat3::from_cols(Vec3::new(cos, sin, 0.0), Vec3::new(-sin, cos, 0.0), Vec3::Z)
 }
-// ANCHOR_END: rotate_z
 
 // ANCHOR: euler
 /// Turns by Euler angles in degrees: about z first, then x, then y (assignment, *Version 0*).

@@ -75,7 +75,6 @@ pub fn quaternion(axis: Vec3, angle: f32) -> Quat {
 }
 // ANCHOR_END: quaternion
 
-// ANCHOR: from_quaternion
 /// The rotation of a quaternion of length 1: the matrix of u ↦ q·u·q*.
 #[must_use]
 pub fn from_quaternion(q: Quat) -> Mat3 {
@@ -86,7 +85,6 @@ pub fn from_quaternion(q: Quat) -> Mat3 {
         Vec3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)),
     )
 }
-// ANCHOR_END: from_quaternion
 
 // ANCHOR: euler_angles
 /// The Euler angles, in degrees, of a rotation: `euler` of them is the rotation again.
