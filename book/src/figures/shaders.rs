@@ -53,8 +53,8 @@ pub(super) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "shaders-floor",
-        "A chequered floor three times, from top to bottom: of two triangles, where the pattern is bent along a diagonal; of 18, where \
-         it wavers; of 8,192, where it is straight.",
+        "A chequered floor three times, from top to bottom: of two triangles, where the pattern is bent along a \
+         diagonal; of 18, where it wavers; of 8,192, where it is straight.",
         floors,
     ),
     Figure::new(
