@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use rustix::process::{Signal, getppid, test_kill_process};
 use serde::{Deserialize, Serialize};
 
@@ -92,7 +92,8 @@ pub(crate) fn prove(closed: bool) -> anyhow::Result<Vec<Wall>> {
     std::io::Seek::rewind(&mut output)?;
     let said = std::io::read_to_string(output)?;
     // Nothing is known of walls that were not built: the launcher said why.
-    let held: Vec<bool> = serde_json::from_str(said.trim()).with_context(|| said.trim().to_string())?;
+    let said = said.trim().trim_start_matches("error: ");
+    let held: Vec<bool> = serde_json::from_str(said).map_err(|_| anyhow!("{said}"))?;
     let mut walls: Vec<Wall> = (ATTEMPTS.iter().zip(held))
         .map(|((against, made_of, _), held)| wall(against, made_of, held))
         .collect();

@@ -86,7 +86,7 @@ impl Walls {
             setrlimit(resource, limit).with_context(|| format!("cannot limit {resource:?}"))?;
         }
         if self.closed {
-            self.close_files()?;
+            self.close_files().context("there is no Landlock, or one older than Linux 6.2's")?;
             calls::restrict(self.role)?;
         }
         Err(Command::new(program).args(arguments).exec())
