@@ -264,7 +264,7 @@ fn highlight() -> anyhow::Result<Drawing> {
     let draw = |shade: &dyn Fn(Vec3) -> f32| {
         let mut image = canvas(420);
         triangles::fill([a, b, c].map(Vec3::truncate), image.bounds(), |x, y, w| {
-            image.set(x, y, Color::gray(shade(w)))
+            image.set(x, y, Color::gray(shade(w)));
         });
         image
     };
