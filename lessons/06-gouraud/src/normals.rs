@@ -19,7 +19,6 @@ pub fn corner_normals(model: &Model) -> Vec<[Vec3; 3]> {
     };
     given.into_iter().zip(faces).map(unit).collect()
 }
-
 // ANCHOR_END: corner_normals
 
 // ANCHOR: mean_normals

@@ -178,7 +178,6 @@ pub const SHADERS: &[Method<Rendering>] = &[
 /// The way in which a look is drawn by one method.
 pub type Choose = fn(&Rendering) -> Render;
 
-// ANCHOR: methods
 /// The ways to call a shader.
 pub const METHODS: &[Method<Choose>] = &[
     Method {
@@ -194,4 +193,3 @@ pub const METHODS: &[Method<Choose>] = &[
         failure: "the program grows with every shader, and must know them all",
     },
 ];
-// ANCHOR_END: methods

@@ -43,14 +43,12 @@ impl Varying for () {
 }
 // ANCHOR_END: varying_nothing
 
-// ANCHOR: varying_number
 impl Varying for f32 {
     #[inline]
     fn interpolate(corners: [f32; 3], weights: Vec3) -> f32 {
         Vec3::from_array(corners).dot(weights)
     }
 }
-// ANCHOR_END: varying_number
 
 impl Varying for Vec2 {
     #[inline]
@@ -89,7 +87,6 @@ pub trait Program {
 }
 // ANCHOR_END: program
 
-// ANCHOR: stored
 /// A [`Shader`] as a [`Program`].
 pub struct Stored<S: Shader> {
     shader: S,
@@ -120,7 +117,6 @@ impl<S: Shader> Program for Stored<S> {
         self.shader.fragment(self.constant?, S::Varying::interpolate(self.varyings, weights))
     }
 }
-// ANCHOR_END: stored
 
 /// Any [`Program`] as a [`Shader`], so that one loop draws with both: it is the weights that are interpolated,
 /// each 1 at its own corner.

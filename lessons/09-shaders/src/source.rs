@@ -29,7 +29,6 @@ impl White {
     }
 }
 
-// ANCHOR: white
 impl Source for White {
     type Varying = ();
 
@@ -41,7 +40,6 @@ impl Source for White {
         Color::WHITE
     }
 }
-// ANCHOR_END: white
 
 /// The scene's texture; black without one.
 pub struct Texture<'a> {
@@ -57,7 +55,6 @@ impl<'a> Texture<'a> {
     }
 }
 
-// ANCHOR: texture
 impl Source for Texture<'_> {
     type Varying = Vec2;
 
@@ -71,4 +68,3 @@ impl Source for Texture<'_> {
         self.texture.map_or(Color::BLACK, |texture| texel(texture, uv))
     }
 }
-// ANCHOR_END: texture
