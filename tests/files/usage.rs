@@ -197,7 +197,7 @@ fn what_is_behind_the_eye_is_left_out_and_told() {
     for (lesson, flags) in [("transforms", &[][..]), ("camera", &from_z), ("shaders", &from_z)] {
         let output = run(lesson, folder.path(), &[&scene[..], flags].concat());
         let told = String::from_utf8_lossy(&output.stderr);
-        assert!(told.ends_with("left out 1 triangles that reach behind the eye\n"), "{lesson}: {told}");
+        assert!(told.ends_with("left out 1 triangle that reaches behind the eye\n"), "{lesson}: {told}");
         let picture = Image::read(&folder.path().join("a.png")).unwrap();
         assert!(picture.pixels().any(|pixel| pixel.2 != Color::BLACK), "{lesson}");
     }

@@ -1,6 +1,6 @@
 use verify::{LESSONS, assert_picture, assert_similar, draw};
 
-/// What a lesson draws without a flag, but smaller: the head, from lesson 2 on.
+/// What a lesson draws without a flag, but smaller: the head from lesson 2 on, but for lesson 3's triangles.
 #[test]
 fn every_lesson_draws_its_default_picture() {
     for (n, lesson) in LESSONS.into_iter().enumerate() {

@@ -3,7 +3,9 @@
 //! ```text
 //! snapshots/   what each method draws, as text and as PNG; one file a lesson
 //! stability/   tables of (input, method, what must happen), failures included; one file a lesson
-//! properties/  what must hold for any input; one file a lesson
+//! properties/  what must hold for any input
+//! missions/    starters, solutions, and the faults that checks recognise
+//! benches/     what drawing costs
 //! files/       bad files and bad flags, and the assets made again
 //! ```
 

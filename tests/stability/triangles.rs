@@ -260,7 +260,7 @@ fn examine(name: &str, corners: [Vec2; 3], start: IVec2) -> String {
     if told.is_empty() { "exact".into() } else { told.join(", ") }
 }
 
-/// A square of 24×24 px about `center`, cut into squares of 4 px and those along their diagonal; its corners
+/// A square of 24×24 px, cut into squares of 4 px and those along their diagonal; its corners
 /// moved by `shift`.
 fn grid(shift: f32) -> Vec<[Vec2; 3]> {
     let corner = |i: u8, j: u8| Vec2::new(f32::from(i), f32::from(j)) * 4.0 + shift;

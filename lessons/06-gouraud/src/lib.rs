@@ -42,12 +42,11 @@ pub struct Drawn {
     pub left_out: usize,
 }
 
-impl Drawn {
-    /// Says on standard error how many triangles were left out, if any.
-    pub fn report(&self) {
-        if self.left_out > 0 {
-            tell(format_args!("left out {} triangles that reach behind the eye", self.left_out));
-        }
+/// Says on standard error how many triangles were left out since they reach behind the eye, if any.
+pub fn report_left_out(count: usize) {
+    if count > 0 {
+        let what = if count == 1 { "triangle that reaches" } else { "triangles that reach" };
+        tell(format_args!("left out {count} {what} behind the eye"));
     }
 }
 

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use common::program::{Drawing, Lesson, run};
 use common::{Attributes, Mat4, Vec3};
-use gouraud::{Scene, corner_normals, gouraud};
+use gouraud::{Scene, corner_normals, gouraud, report_left_out};
 use transforms::{normal_matrix, place, projection, viewport};
 
 /// The head is turned this often, by this part of a full turn each time.
@@ -31,7 +31,7 @@ fn main() -> ExitCode {
 
             let scene = Scene { model: &model, normals, texture: &texture, light: flags.light };
             let drawn = gouraud(&scene, &mut picture, |point| place(&all, point));
-            drawn.report();
+            report_left_out(drawn.left_out);
             Ok(Drawing { picture, depth: flags.depth.as_ref().map(|_| drawn.depths.picture()) })
         },
         turntable: None,

@@ -89,7 +89,7 @@ pub fn from_quaternion(q: Quat) -> Mat3 {
 // ANCHOR: euler_angles
 /// The Euler angles, in degrees, of a rotation: `euler` of them is the rotation again.
 ///
-/// The third row-and-column entries of Ry·Rx·Rz say how: its element (y, z) is −sin x. At x = ±90° only the
+/// The third column and the second row of Ry·Rx·Rz say how: the element in both is −sin x. At x = ±90° only the
 /// sum or difference of the other two is determined; z is then 0.
 #[must_use]
 pub fn euler_angles(m: Mat3) -> Vec3 {

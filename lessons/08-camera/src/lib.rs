@@ -18,6 +18,9 @@ pub mod turntable;
 use common::{Mat3, Mat4, Method, Vec3};
 use transforms::translate;
 
+/// What a program says where there is no view.
+pub const ONE_POINT: &str = "--eye and --center are one point: move one of them";
+
 /// The view matrix of an eye that looks at a centre, given eye, centre and up; `None` where there is no
 /// direction from one to the other, as in [`basis`].
 pub type View = fn(Vec3, Vec3, Vec3) -> Option<Mat4>;

@@ -1,7 +1,7 @@
 //! Lesson 9: any look from one loop.
 //!
 //! **You will see** the head four times: flat and smooth, white and textured. **New:** nothing is drawn that was
-//! not drawn before; what lessons 4 to 8 had in five loops is in one, and what differs is in a shader.
+//! not drawn before; what lessons 4 to 8 had in three loops is in one, and what differs is in a shader.
 //!
 //! The job: draw with any shader. [`program::Shader`] says what a shader is: what is computed at a corner and
 //! interpolated, what once a triangle, what at a pixel. [`source`] has the colours (white, a texture), [`lighting`]

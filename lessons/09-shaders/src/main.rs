@@ -2,10 +2,10 @@
 
 use std::process::ExitCode;
 
-use camera::{lookat, turntable};
-use common::program::{Drawing, Flags, Lesson, UsageError, run, tell};
+use camera::{ONE_POINT, lookat, turntable};
+use common::program::{Drawing, Flags, Lesson, UsageError, run};
 use common::{Attributes, Image, Method};
-use gouraud::corner_normals;
+use gouraud::{corner_normals, report_left_out};
 use shaders::{Render, Rendering, SHADERS, Scene, Target};
 use transforms::{projection, viewport};
 
@@ -57,8 +57,7 @@ fn draw(flags: &Flags, shaders: &[&Rendering], method: fn(&Rendering) -> Render)
 
     let columns = if shaders.len() == 1 { 1 } else { 2 };
     let (width, height) = (picture.width() / columns, picture.height() / columns);
-    let view = lookat(flags.eye, flags.center, flags.up)
-        .ok_or_else(|| UsageError("--eye and --center are one point: move one of them".into()))?;
+    let view = lookat(flags.eye, flags.center, flags.up).ok_or_else(|| UsageError(ONE_POINT.into()))?;
     let projection = projection(flags.eye.distance(flags.center));
     let scene = Scene {
         model: &model,
@@ -79,9 +78,7 @@ fn draw(flags: &Flags, shaders: &[&Rendering], method: fn(&Rendering) -> Render)
             paste(&cell.depths.picture(), depth, column * width, row * height);
         }
     }
-    if left_out > 0 {
-        tell(format_args!("left out {left_out} triangles that reach behind the eye"));
-    }
+    report_left_out(left_out);
     Ok(Drawing { picture, depth })
 }
 

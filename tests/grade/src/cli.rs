@@ -45,7 +45,7 @@ enum Command {
         /// The course's folder, if not the one that this program was built in.
         #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../.."), hide_default_value = true)]
         course: PathBuf,
-        /// Run what students wrote with this account's rights, on your own risk.
+        /// Run what students wrote with this account's rights, at your own risk.
         #[arg(long)]
         unsafe_no_sandbox: bool,
     },
