@@ -37,15 +37,18 @@ const SCALE: f64 = 1.34;
 const MIDDLE: DVec3 = DVec3::new(0.0, -0.207, 0.0);
 
 /// The bust in few triangles, which model and texture share.
-static BUST: LazyLock<Surface> = LazyLock::new(|| {
-    let mut bust = decimate::decimate(surface::surface(), TRIANGLES, importance);
+static BUST: LazyLock<Surface> = LazyLock::new(|| simplified(TRIANGLES));
+
+/// The bust in about so many triangles.
+fn simplified(triangles: usize) -> Surface {
+    let mut bust = decimate::decimate(surface::surface(), triangles, importance);
     for (p, &place) in bust.positions.iter_mut().zip(&bust.places) {
         for _ in 0..3 {
             *p = surface::settle(*p, place);
         }
     }
     bust
-});
+}
 
 /// A corner of a triangle of the head.
 struct Point {
@@ -58,11 +61,22 @@ struct Point {
 /// The model.
 #[must_use]
 pub fn model() -> Mesh {
+    mesh_of(&BUST)
+}
+
+/// The model with a bust of about so many triangles; more than [`surface`] makes are not to be had.
+#[must_use]
+pub fn model_of(triangles: usize) -> Mesh {
+    mesh_of(&simplified(triangles))
+}
+
+fn mesh_of(surface: &Surface) -> Mesh {
     let mut mesh = Mesh::default();
     // Corners that agree in a value to the last digit written share it.
     let (mut positions, mut uvs, mut normals) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let key = |v: DVec3| (v * 1e5).round().as_ivec3().to_array();
-    for triangle in triangles() {
+    // The bust, then the eyes.
+    for triangle in bust(surface).chain(eye(1.0)).chain(eye(-1.0)) {
         mesh.triangles.push(triangle.map(|Point { position, uv, normal }| {
             let position = (position - MIDDLE) * SCALE;
             Corner {
@@ -86,26 +100,20 @@ fn number<T>(known: &mut BTreeMap<[i32; 3], usize>, list: &mut Vec<T>, key: [i32
 /// The texture.
 #[must_use]
 pub fn texture() -> Image {
-    let skin = bust().map(|triangle| triangle.map(|point| (point.uv, point.position, point.normal)));
+    let skin = bust(&BUST).map(|triangle| triangle.map(|point| (point.uv, point.position, point.normal)));
     paint::paint(skin)
 }
 
-/// All triangles: the bust, then the eyes.
-fn triangles() -> impl Iterator<Item = [Point; 3]> {
-    bust().chain(eye(1.0)).chain(eye(-1.0))
-}
-
 /// The triangles of the bust.
-fn bust() -> impl Iterator<Item = [Point; 3]> {
-    let normal = |i: usize| surface::gradient(BUST.positions[i]).normalize();
-    let smooth: Vec<DVec3> = (0..BUST.positions.len()).map(normal).collect();
-    BUST.triangles.iter().map(move |&triangle| {
-        let corners = triangle.map(|i| BUST.positions[i]);
+fn bust(surface: &Surface) -> impl Iterator<Item = [Point; 3]> {
+    let smooth: Vec<DVec3> = surface.positions.iter().map(|&p| surface::gradient(p).normalize()).collect();
+    surface.triangles.iter().map(move |&triangle| {
+        let corners = triangle.map(|i| surface.positions[i]);
         let [a, b, c] = corners;
         let flat = (b - a).cross(c - a).normalize();
         let chart = chart(corners, flat);
         let point = |i: usize| {
-            let position = BUST.positions[i];
+            let position = surface.positions[i];
             // The base meets the body at an edge; and where the surface bends more sharply than triangles follow,
             // a triangle keeps its own normal.
             let bent = chart == Chart::Base || smooth[i].dot(flat) < 0.1;

@@ -10,6 +10,7 @@ mod finish;
 mod frame;
 mod frontier;
 mod gouraud;
+mod head;
 mod lines;
 mod machine;
 mod measure;
@@ -111,8 +112,16 @@ pub(crate) fn measure_missing(quick: bool) -> anyhow::Result<()> {
     let folder = Path::new(COMMITTED);
     let is_missing = |name: &str| !folder.join(format!("{name}.svg")).is_file();
     let missing: Vec<&Chart> = CHARTS.iter().filter(|chart| is_missing(chart.name)).collect();
-    let scenes =
-        ["needs-outline", "needs-shading", "finish", "finish-flip"].iter().any(|name| is_missing(name));
+    let scenes = [
+        "needs-outline",
+        "needs-shading",
+        "needs-head-outline",
+        "needs-head-shading",
+        "finish",
+        "finish-flip",
+    ]
+    .iter()
+    .any(|name| is_missing(name));
     if missing.is_empty() && !scenes {
         return Ok(());
     }
@@ -131,6 +140,7 @@ fn measure_into(folder: &Path, charts: &[&Chart], effort: Effort, scenes: bool) 
     if scenes {
         bar.set_message("no more than the scene needs");
         needs::measure(effort, &machine, folder)?;
+        head::measure(effort, &machine, folder)?;
         bar.inc(1);
         bar.set_message("the finished picture");
         finish::measure(effort, &machine, folder)?;

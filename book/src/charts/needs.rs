@@ -28,7 +28,7 @@ const SIDES: [u16; 3] = [100, 400, 1600];
 const SEGMENTS: [usize; 11] = [4, 8, 12, 16, 24, 32, 48, 64, 96, 160, 256];
 
 /// The shaders whose difference is compared.
-const SHADED: [&str; 2] = ["flat", "gouraud"];
+pub(super) const SHADED: [&str; 2] = ["flat", "gouraud"];
 
 /// What the sphere's radius takes up of the picture's side.
 const ZOOM: f32 = 0.4;
@@ -165,8 +165,8 @@ pub(crate) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyho
     Ok(())
 }
 
-/// A sphere from the front, in parallel projection.
-fn front(model: &Model, side: u16) -> Scene<'_> {
+/// A model from the front, in parallel projection.
+pub(super) fn front(model: &Model, side: u16) -> Scene<'_> {
     let size = f32::from(side);
     let to_screen: Mat4 = viewport(size, size, ZOOM) * projection(f32::INFINITY);
     Scene {
