@@ -20,7 +20,7 @@ use std::panic::Location;
 use std::path::Path;
 
 use common::compare::side_by_side;
-use common::program::DEFAULT_MODEL;
+use common::program::{DEFAULT_MODEL, DEFAULT_TEXTURE};
 use common::{Attributes, Image, Model};
 
 use sheet::Sheet;
@@ -70,7 +70,7 @@ fn model() -> anyhow::Result<Model> {
 
 /// The head's texture.
 fn texture() -> anyhow::Result<Image> {
-    Ok(Image::read(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga")))?)
+    Ok(Image::read(Path::new(DEFAULT_TEXTURE))?)
 }
 
 /// Pictures side by side, as wide as a page.

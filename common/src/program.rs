@@ -20,7 +20,7 @@ use crate::{Attributes, Color, Error, Format, Image, Method, Model, file, previe
 pub const DEFAULT_MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.obj");
 
 /// The texture of the head.
-const DEFAULT_TEXTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga");
+pub const DEFAULT_TEXTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga");
 
 /// The flags that every lesson has; the rest of [`Flags`] are those of some.
 const SHARED: [&str; 6] = ["out", "size", "method", "list", "compare", "quiet"];

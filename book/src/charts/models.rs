@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use common::program::DEFAULT_MODEL;
+use common::program::{DEFAULT_MODEL, DEFAULT_TEXTURE};
 use common::{Attributes, Image, Model};
 
 const ALL: Attributes = Attributes { normals: true, uvs: true };
@@ -35,28 +35,19 @@ pub(crate) fn sectors(triangles: usize) -> usize {
     ((triangles as f64 / 2.0).sqrt().round() as usize).max(3)
 }
 
-/// A file of the folder `assets/`.
-pub(crate) fn asset(name: &str) -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets").join(name)
-}
-
 /// What the lessons draw unless told otherwise, with its name and its texture.
 pub(crate) fn scene_model() -> anyhow::Result<(String, &'static Model, &'static Image)> {
     let path = Path::new(DEFAULT_MODEL);
     let model = Model::read(path, ALL)?;
-    let head = asset("head.tga");
-    let texture = if path.file_stem().is_some_and(|name| name == "head") && head.exists() {
-        Image::read(&head)?
-    } else {
-        texture()
-    };
+    let texture = Image::read(Path::new(DEFAULT_TEXTURE))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     Ok((format!("the {name}"), Box::leak(Box::new(model)), Box::leak(Box::new(texture))))
 }
 
 /// The crate's side, 256×256 texels.
 pub(crate) fn texture() -> Image {
-    Image::read(&asset("crate.png")).expect("the course has a crate.png")
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/crate.png");
+    Image::read(Path::new(path)).expect("the course has a crate.png")
 }
 
 #[cfg(test)]
