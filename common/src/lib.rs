@@ -6,6 +6,7 @@
 //! | [`mod@file`] | pictures to and from TGA and PNG, files written whole or not at all |
 //! | [`color`] | [`Color`] |
 //! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
+//! | [`lesson`] | [`Lesson`], what a lesson is called |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |
 //! | [`compare`] | what differs between two pictures |
 //! | [`program`] | the command line that all lessons share |
@@ -19,6 +20,7 @@ pub mod compare;
 mod error;
 pub mod file;
 pub mod image;
+pub mod lesson;
 pub mod method;
 pub mod model;
 mod obj;
@@ -29,5 +31,6 @@ pub use color::Color;
 pub use error::Error;
 pub use glam::{DMat3, DVec3, IVec2, Mat3, Mat4, Quat, Vec2, Vec2Swizzles, Vec3, Vec4, Vec4Swizzles};
 pub use image::{Bounds, Format, Image};
+pub use lesson::{Lesson, Table};
 pub use method::Method;
 pub use model::{Attributes, Model};

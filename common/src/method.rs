@@ -24,6 +24,13 @@ impl<F> Method<F> {
         table.iter().find(|method| method.name == name)
     }
 
+    /// What the rows of a table say, without their functions.
+    #[must_use]
+    pub fn rows(table: &[Self]) -> Vec<Method<()>> {
+        let row = |&Self { name, promise, failure, .. }: &Self| Method { name, run: (), promise, failure };
+        table.iter().map(row).collect()
+    }
+
     /// The table as text, two lines a row: the promise, the failure.
     #[must_use]
     pub fn list(table: &[Self]) -> String {

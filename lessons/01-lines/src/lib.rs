@@ -19,10 +19,19 @@ mod major;
 pub mod slides;
 pub mod wu;
 
-use common::{Bounds, Color, IVec2, Image, Method};
+use common::{Bounds, Color, IVec2, Image, Lesson, Method, Table};
 
 pub use bresenham::bresenham;
 pub use wu::wu;
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 1,
+    name: "lines",
+    title: "Lines",
+    job: "the pixels of a line segment",
+    tables: &[Table { name: "", job: "Set the pixels of a segment", rows: || Method::rows(METHODS) }],
+};
 
 /// The coverage of a pixel that is wholly the line's.
 pub(crate) const FULL: u8 = 255;

@@ -11,8 +11,17 @@
 //!
 //! Conventions: the model fits in [−1, 1]³, x to the right and y up; the picture's origin is bottom-left.
 
-use common::{Color, IVec2, Image, Method, Model, Vec3};
+use common::{Color, IVec2, Image, Lesson, Method, Model, Table, Vec3};
 use lines::line;
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 2,
+    name: "wireframe",
+    title: "Wireframe",
+    job: "a model's edges",
+    tables: &[Table { name: "", job: "Draw a model's edges", rows: || Method::rows(METHODS) }],
+};
 
 /// One method as two functions that share their code.
 pub struct Wireframe {

@@ -20,10 +20,19 @@ pub mod barycentric;
 pub mod edges;
 pub mod slides;
 
-use common::{Bounds, Color, Image, Method, Model, Vec2, Vec3};
+use common::{Bounds, Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 
 pub use barycentric::barycentric;
 pub use edges::fill;
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 3,
+    name: "triangles",
+    title: "Triangles",
+    job: "the pixels that a triangle covers",
+    tables: &[Table { name: "", job: "Find the pixels of a triangle", rows: || Method::rows(METHODS) }],
+};
 
 /// One method as two functions that share their code.
 pub struct Triangle {

@@ -16,11 +16,20 @@
 pub mod depth;
 pub mod painter;
 
-use common::{Color, Image, Method, Model, Vec2, Vec3};
+use common::{Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use triangles::flat_intensity;
 
 pub use depth::{DepthBuffer, depth_at, fill_nearest};
 pub use painter::painter;
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 4,
+    name: "zbuffer",
+    title: "Depth",
+    job: "the nearest surface",
+    tables: &[Table { name: "", job: "Show the nearest surface", rows: || Method::rows(METHODS) }],
+};
 
 /// A triangle as it will be seen, in one colour.
 #[derive(Clone, Copy, Debug, PartialEq)]

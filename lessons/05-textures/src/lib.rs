@@ -12,9 +12,18 @@
 //! (i, j) of a texture of w×h covers u from i/w to (i+1)/w. Colours are multiplied as they are encoded. (u, v)
 //! is interpolated in the picture: under perspective, from lesson 7 on, that warps; lesson 10 mends it.
 
-use common::{Color, Image, Method, Model, Vec2, Vec3};
+use common::{Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use triangles::flat_intensity;
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 5,
+    name: "textures",
+    title: "Textures",
+    job: "colour from a picture",
+    tables: &[Table { name: "", job: "Find the texel of (u, v)", rows: || Method::rows(METHODS) }],
+};
 
 /// One method as two functions that share their code.
 pub struct Sampler {

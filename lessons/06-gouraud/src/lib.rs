@@ -15,12 +15,21 @@
 pub mod normals;
 
 use common::program::tell;
-use common::{Image, Method, Model, Vec2, Vec3};
+use common::{Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use textures::{interpolate, texel};
 use triangles::flat_intensity;
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
 pub use normals::corner_normals;
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 6,
+    name: "gouraud",
+    title: "Smooth shading",
+    job: "smooth shading",
+    tables: &[Table { name: "", job: "Shade smoothly", rows: || Method::rows(METHODS) }],
+};
 
 /// What is drawn, and under which light.
 pub struct Scene<'a> {

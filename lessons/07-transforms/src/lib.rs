@@ -15,10 +15,23 @@ pub mod affine;
 pub mod inverse;
 pub mod rotation;
 
-use common::{DMat3, Mat3, Mat4, Method, Vec3, Vec4Swizzles};
+use common::{DMat3, Lesson, Mat3, Mat4, Method, Table, Vec3, Vec4Swizzles};
 use rotation::{rodrigues, rodrigues_f64};
 
 pub use affine::{normal_matrix, scale, translate};
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 7,
+    name: "transforms",
+    title: "Transforms",
+    job: "matrices, viewport and projection",
+    tables: &[
+        Table { name: "", job: "Compose many rotations", rows: || Method::rows(METHODS) },
+        Table { name: "rotations", job: "Turn about an axis", rows: || Method::rows(rotation::ROTATIONS) },
+        Table { name: "inverses", job: "Undo a matrix", rows: || Method::rows(inverse::INVERSES) },
+    ],
+};
 
 /// Composes `count` rotations by an angle (in radians) about an axis of length 1.
 pub type Compose = fn(Vec3, f32, u32) -> Mat3;

@@ -15,8 +15,17 @@
 
 pub mod turntable;
 
-use common::{Mat3, Mat4, Method, Vec3};
+use common::{Lesson, Mat3, Mat4, Method, Table, Vec3};
 use transforms::translate;
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 8,
+    name: "camera",
+    title: "The camera",
+    job: "looking at a point",
+    tables: &[Table { name: "", job: "Look at a point", rows: || Method::rows(METHODS) }],
+};
 
 /// What a program says where there is no view.
 pub const ONE_POINT: &str = "--eye and --center are one point: move one of them";

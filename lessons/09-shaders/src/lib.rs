@@ -24,12 +24,24 @@ pub mod source;
 
 use std::cell::RefCell;
 
-use common::{Attributes, Color, Image, Mat4, Method, Model, Vec3, Vec4};
+use common::{Attributes, Color, Image, Lesson, Mat4, Method, Model, Table, Vec3, Vec4};
 use zbuffer::DepthBuffer;
 
 use lighting::{Flat, Gouraud, Lighting, Quantized};
 use program::{Program, Shader, Stored, render};
 use source::{Source, Texture, White};
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 9,
+    name: "shaders",
+    title: "Shaders",
+    job: "any look from one loop",
+    tables: &[
+        Table { name: "", job: "Call a shader", rows: || Method::rows(METHODS) },
+        Table { name: "looks", job: "Choose a look", rows: || Method::rows(SHADERS) },
+    ],
+};
 
 /// What is drawn, from where, and under which light.
 pub struct Scene<'a> {
