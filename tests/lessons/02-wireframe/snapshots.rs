@@ -1,5 +1,6 @@
 use common::{Attributes, Color, Format, Image, Model};
 use verify::{assert_picture, assert_text, draw};
+use wireframe::{LESSON, METHODS};
 
 /// A tetrahedron that touches all four borders.
 const TETRAHEDRON: &[u8] =
@@ -8,17 +9,17 @@ const TETRAHEDRON: &[u8] =
 #[test]
 fn every_method_draws_a_tetrahedron() {
     let model = Model::parse(TETRAHEDRON, Attributes::default()).unwrap();
-    for method in wireframe::METHODS {
+    for method in METHODS {
         let mut image = Image::new(33, 33, Format::Gray);
         (method.run.draw)(&model, &mut image, Color::WHITE);
-        assert_text(&format!("02-wireframe-tetrahedron-{}", method.name), &image);
+        assert_text(&LESSON, &format!("tetrahedron-{}", method.name), &image);
     }
 }
 
 #[test]
 fn every_method_draws_the_head() {
-    for method in wireframe::METHODS {
+    for method in METHODS {
         let picture = draw("wireframe", &["--size", "300x300", "--method", method.name]);
-        assert_picture(&format!("02-wireframe-{}", method.name), &picture, 0);
+        assert_picture(&LESSON, method.name, &picture, 0);
     }
 }

@@ -1,7 +1,7 @@
 use common::{Bounds, Color, Format, Image, Mat4, Vec2, Vec3};
 use transforms::inverse::INVERSES;
 use transforms::rotation::ROTATIONS;
-use transforms::{METHODS, place, scale, translate};
+use transforms::{LESSON, METHODS, place, scale, translate};
 use triangles::fill;
 use verify::{CRATE, SPHERE, assert_similar, assert_text, draw};
 
@@ -33,7 +33,7 @@ fn picture(m: &Mat4) -> Image {
 fn every_rotation_turns_a_letter() {
     for method in ROTATIONS {
         let turn = Mat4::from_mat3((method.run)(Vec3::Z, 30f32.to_radians()));
-        assert_text(&format!("07-transforms-turned-{}", method.name), &picture(&turn));
+        assert_text(&LESSON, &format!("turned-{}", method.name), &picture(&turn));
     }
 }
 
@@ -43,7 +43,7 @@ fn every_inverse_brings_a_letter_back() {
     for method in INVERSES {
         let m = translate(Vec3::new(3.0, 1.0, 0.0)) * scale(Vec3::new(1.5, 0.75, 1.0));
         let back = (method.run)(&m).unwrap();
-        assert_text(&format!("07-transforms-back-{}", method.name), &picture(&(back * m)));
+        assert_text(&LESSON, &format!("back-{}", method.name), &picture(&(back * m)));
     }
 }
 
@@ -51,7 +51,7 @@ fn every_inverse_brings_a_letter_back() {
 fn every_method_draws_the_sphere() {
     for method in METHODS {
         let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--method", method.name];
-        assert_similar(&format!("07-transforms-{}", method.name), &draw("transforms", &arguments));
+        assert_similar(&LESSON, method.name, &draw("transforms", &arguments));
     }
 }
 
@@ -60,6 +60,6 @@ fn every_method_draws_the_sphere() {
 fn the_sphere_from_three_distances() {
     for distance in ["1.2", "4", "inf"] {
         let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--distance", distance];
-        assert_similar(&format!("07-transforms-distance-{distance}"), &draw("transforms", &arguments));
+        assert_similar(&LESSON, &format!("distance-{distance}"), &draw("transforms", &arguments));
     }
 }

@@ -1,5 +1,5 @@
 use common::{Attributes, Color, Format, Image, Model, Vec3};
-use gouraud::{METHODS, Scene, corner_normals};
+use gouraud::{LESSON, METHODS, Scene, corner_normals};
 use verify::{CRATE, SPHERE, assert_picture, assert_text, draw};
 
 /// An octahedron, lit from the left: `none` has no shape, `flat` has edges, `gouraud` goes round them.
@@ -15,7 +15,7 @@ fn every_method_shades_an_octahedron() {
         let mut image = Image::new(36, 20, Format::Gray);
         let normals = corner_normals(&model);
         (method.run)(&Scene { model: &model, normals, texture: &white, light }, &mut image);
-        assert_text(&format!("06-gouraud-octahedron-{}", method.name), &image);
+        assert_text(&LESSON, &format!("octahedron-{}", method.name), &image);
     }
 }
 
@@ -24,6 +24,6 @@ fn every_method_draws_the_sphere() {
     for method in METHODS {
         let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--light", "-1,1,2"];
         let picture = draw("gouraud", &[&arguments[..], &["--method", method.name]].concat());
-        assert_picture(&format!("06-gouraud-{}", method.name), &picture, 0);
+        assert_picture(&LESSON, method.name, &picture, 0);
     }
 }

@@ -1,5 +1,5 @@
 use common::{Attributes, Color, Format, Image, Model, Vec3};
-use textures::METHODS;
+use textures::{LESSON, METHODS};
 use verify::{CRATE, SPHERE, assert_picture, assert_text, draw};
 
 /// A square whose texture coordinates go from -¼ to 1¼: what each method does inside, at the border, beyond.
@@ -17,7 +17,7 @@ fn every_method_draws_a_square() {
     for method in METHODS {
         let mut image = Image::new(48, 24, Format::Gray);
         (method.run.draw)(&square, &texture, Vec3::Z, &mut image);
-        assert_text(&format!("05-textures-square-{}", method.name), &image);
+        assert_text(&LESSON, &format!("square-{}", method.name), &image);
     }
 }
 
@@ -25,6 +25,6 @@ fn every_method_draws_a_square() {
 fn every_method_draws_the_sphere() {
     for method in METHODS {
         let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--method", method.name];
-        assert_picture(&format!("05-textures-{}", method.name), &draw("textures", &arguments), 0);
+        assert_picture(&LESSON, method.name, &draw("textures", &arguments), 0);
     }
 }

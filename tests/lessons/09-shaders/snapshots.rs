@@ -1,5 +1,5 @@
 use common::{Color, Format, Image};
-use shaders::{METHODS, SHADERS};
+use shaders::{LESSON, METHODS, SHADERS};
 use verify::{CRATE, SPHERE, assert_similar, draw};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
@@ -11,7 +11,7 @@ fn every_shader_draws_the_sphere() {
         for method in METHODS {
             let look = ["--shader", shader.name, "--method", method.name];
             let picture = draw("shaders", &[&SCENE[..], &look].concat());
-            assert_similar(&format!("09-shaders-{}", shader.name), &picture);
+            assert_similar(&LESSON, shader.name, &picture);
         }
     }
 }
@@ -20,14 +20,14 @@ fn every_shader_draws_the_sphere() {
 fn the_sheet_has_the_first_four() {
     for method in METHODS {
         let picture = draw("shaders", &[&SCENE[..], &["--method", method.name]].concat());
-        assert_similar("09-shaders-sheet", &picture);
+        assert_similar(&LESSON, "sheet", &picture);
     }
 }
 
 #[test]
 fn two_levels_are_black_and_grey() {
     let look = ["--shader", "quantized", "--levels", "2"];
-    assert_similar("09-shaders-quantized-2", &draw("shaders", &[&SCENE[..], &look].concat()));
+    assert_similar(&LESSON, "quantized-2", &draw("shaders", &[&SCENE[..], &look].concat()));
 }
 
 /// A checkered floor: both triangles warp it, each in its own way, as (u, v) is interpolated in the picture.
@@ -46,5 +46,5 @@ fn a_checkered_floor_warps() {
     let [model, texture] = [&model, &texture].map(|path| path.to_str().unwrap());
     let scene = ["--shader", "flat-texture", "--model", model, "--texture", texture, "--light", "0,1,0"];
     let picture = draw("shaders", &[&scene[..], &["--eye", "0,0.4,2", "--size", "300x300"]].concat());
-    assert_similar("09-shaders-floor", &picture);
+    assert_similar(&LESSON, "floor", &picture);
 }

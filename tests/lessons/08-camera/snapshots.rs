@@ -1,10 +1,10 @@
-use ::camera::METHODS;
-use ::transforms::{place, projection, translate};
-use ::triangles::fill;
+use camera::{LESSON, METHODS};
 use common::{Color, Format, Image, Vec3};
+use transforms::{place, projection, translate};
+use triangles::fill;
 use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, run};
 
-use crate::transforms::letter;
+use crate::transforms::snapshots::letter;
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -21,7 +21,7 @@ fn every_method_looks_at_a_letter() {
             let placed = corners.map(|corner| place(&all, corner + center).unwrap().truncate());
             fill(placed, image.bounds(), |x, y, _| image.set(x, y, Color::WHITE));
         }
-        assert_text(&format!("08-camera-letter-{}", method.name), &image);
+        assert_text(&LESSON, &format!("letter-{}", method.name), &image);
     }
 }
 
@@ -30,7 +30,7 @@ fn every_method_draws_the_sphere() {
     for method in METHODS {
         let view = ["--eye", "1,1,3", "--center", "0.4,-0.2,0", "--method", method.name];
         let picture = draw("camera", &[&SCENE[..], &view].concat());
-        assert_similar(&format!("08-camera-{}", method.name), &picture);
+        assert_similar(&LESSON, method.name, &picture);
     }
 }
 
@@ -42,6 +42,6 @@ fn the_turntable_goes_around() {
     assert!(output.status.success());
     for n in 0..4 {
         let picture = Image::read(&folder.path().join(format!("stop-00{n}.png"))).unwrap();
-        assert_similar(&format!("08-camera-turntable-{n}"), &picture);
+        assert_similar(&LESSON, &format!("turntable-{n}"), &picture);
     }
 }

@@ -1,6 +1,6 @@
 use common::{Color, Format, Image, Vec3};
 use verify::{SPHERE, assert_picture, assert_text, draw};
-use zbuffer::{METHODS, Surface};
+use zbuffer::{LESSON, METHODS, Surface};
 
 const GREYS: [f32; 3] = [1.0, 0.6, 0.3];
 
@@ -28,7 +28,7 @@ fn every_method_draws_what_has_no_order() {
         for (name, triangles, height) in [("crossing", &crossing[..], 16), ("circle", &circle, 37)] {
             let mut image = Image::new(40, height, Format::Gray);
             (method.run.draw)(&surfaces(triangles), &mut image);
-            assert_text(&format!("04-zbuffer-{name}-{}", method.name), &image);
+            assert_text(&LESSON, &format!("{name}-{}", method.name), &image);
         }
     }
 }
@@ -38,7 +38,7 @@ fn every_method_draws_the_sphere() {
     for method in METHODS {
         let arguments =
             ["--size", "200x200", "--model", SPHERE, "--light", "-1,1,2", "--method", method.name];
-        assert_picture(&format!("04-zbuffer-{}", method.name), &draw("zbuffer", &arguments), 0);
+        assert_picture(&LESSON, method.name, &draw("zbuffer", &arguments), 0);
     }
 }
 
@@ -49,6 +49,6 @@ fn every_depth_buffer_is_a_picture() {
         let depth = folder.path().join("depth.png");
         let arguments = ["--size", "200x200", "--model", SPHERE, "--method", method.name, "--depth"];
         let _ = draw("zbuffer", &[&arguments[..], &[depth.to_str().unwrap()]].concat());
-        assert_picture(&format!("04-zbuffer-depth-{}", method.name), &Image::read(&depth).unwrap(), 0);
+        assert_picture(&LESSON, &format!("depth-{}", method.name), &Image::read(&depth).unwrap(), 0);
     }
 }
