@@ -118,6 +118,7 @@ impl Setup {
         if area == 0.0 {
             return None;
         }
+        // ANCHOR: sides
         // Clockwise corners make the same sides, walked in the other direction.
         let turn = area.signum();
         let along = |axis: usize| {
@@ -127,12 +128,14 @@ impl Setup {
         let (along_x, along_y) = (along(0), along(1));
         // A side that goes down is a left one, one that goes left a top one.
         let top_left = along_y.cmplt(DVec3::ZERO) | (along_y.cmpeq(DVec3::ZERO) & along_x.cmplt(DVec3::ZERO));
+        let inside = DVec3::select(top_left, DVec3::ZERO, DVec3::ONE);
+        // ANCHOR_END: sides
         Some(Self {
             bounds,
             edges: edges([a, b, c], center(bounds.min.x.into(), bounds.min.y), wide) * turn,
             right: along_y * -SUBPIXELS as f64,
             up: along_x * SUBPIXELS as f64,
-            inside: DVec3::select(top_left, DVec3::ZERO, DVec3::ONE),
+            inside,
             per_area: 1.0 / area.abs(),
             corners: [a, b, c],
             turn,
