@@ -5,6 +5,7 @@
 //! | [`image`] | [`Image`], an 8-bit picture; [`Bounds`], a rectangle of pixels |
 //! | [`mod@file`] | pictures to and from TGA and PNG, files written whole or not at all |
 //! | [`color`] | [`Color`] |
+//! | [`direction`] | vectors made 1 long, however long they were |
 //! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
 //! | [`lesson`] | [`Lesson`], what a lesson is called |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |
@@ -17,6 +18,7 @@
 
 pub mod color;
 pub mod compare;
+pub mod direction;
 mod error;
 pub mod file;
 pub mod image;
