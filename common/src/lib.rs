@@ -7,6 +7,7 @@
 //! | [`color`] | [`Color`] |
 //! | [`direction`] | vectors made 1 long, however long they were |
 //! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
+//! | [`placement`] | where a model is put when it is read |
 //! | [`lesson`] | [`Lesson`], what a lesson is called |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |
 //! | [`compare`] | what differs between two pictures |
@@ -22,10 +23,12 @@ pub mod direction;
 mod error;
 pub mod file;
 pub mod image;
+mod kind;
 pub mod lesson;
 pub mod method;
 pub mod model;
 mod obj;
+pub mod placement;
 pub mod preview;
 pub mod program;
 
