@@ -208,9 +208,17 @@ impl Flags {
             "{}: not every face has texture coordinates; export the model with them, or draw it without a texture",
             path.display()
         );
+        ensure!(
+            model.faces().len() > 0 || wanted == Attributes::default(),
+            "{}: there are lines and no faces in it; lesson 2 draws lines: cargo run -p wireframe -- --model {0}",
+            path.display()
+        );
         if let Some(skipped) = model.skipped() {
             let (count, of, first) = (skipped.count, skipped.of, &skipped.first);
             tell(format_args!("{}: left out {count} of {of} faces; the first, {first}", path.display()));
+        }
+        for remark in model.remarks() {
+            tell(format_args!("{}: {remark}", path.display()));
         }
         if wanted.normals && model.face_normals().len() == 0 {
             tell(format_args!("{}: not every face has normals; they are computed", path.display()));
