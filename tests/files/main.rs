@@ -2,6 +2,8 @@
 //! (2 where the command line is at fault), nothing lost and nothing half-written. And the assets, made again.
 
 mod assets;
+mod formats;
+mod fuzz;
 mod models;
 mod pictures;
 mod usage;
