@@ -55,6 +55,14 @@ fn a_wrong_command_line_is_one_line_and_exit_code_2() {
         ("wireframe", &["--line", "1,2,3,4"], "unexpected argument '--line'"),
         ("triangles", &["--depth", "a.png"], "unexpected argument '--depth'"),
         ("triangles", &["--light", "0,0,0"], "not all 0"),
+        ("triangles", &["--triangle", "0,0,1,0,0,1", "--model"], "cannot be used with '--model"),
+        (
+            "zbuffer",
+            &["--out", "a.png", "--depth", "a.png", "--model", SPHERE],
+            "--depth a.png: the picture itself goes there",
+        ),
+        ("zbuffer", &["--out", "./a.png", "--depth", "a.png", "--model", SPHERE], "name another file"),
+        ("wireframe", &["--fit", "x"], "--fit"),
         ("zbuffer", &["--light", "0,0,0"], "--light <x,y,z>"),
         ("zbuffer", &["--texture", CRATE], "unexpected argument '--texture'"),
         (
@@ -216,6 +224,51 @@ fn a_turntable_writes_as_many_pictures_as_asked_for() {
     assert_eq!(names(&folder.path().join("out")), expected);
     let read = |name: &str| Image::read(&folder.path().join("out").join(name)).unwrap();
     assert!(read("08-camera-000.png") != read("08-camera-001.png"));
+}
+
+/// A name need not be text: the pictures' numbers are put into it as it is.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_turntables_names_keep_their_bytes() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = tempdir().unwrap();
+    let name = OsStr::from_bytes(b"a\xff.png");
+    let mut command = verify::program("camera", folder.path());
+    let output = command
+        .args(["--turntable", "2", "--size", "9x9", "--model", SPHERE, "--texture", CRATE, "--out"])
+        .arg(name)
+        .output();
+    assert!(output.unwrap().status.success());
+    let mut written: Vec<_> =
+        fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    written.sort();
+    assert_eq!(written, [OsStr::from_bytes(b"a\xff-000.png"), OsStr::from_bytes(b"a\xff-001.png")]);
+}
+
+/// Far away or long, what has a direction has one.
+#[test]
+fn directions_may_have_any_length() {
+    let folder = tempdir().unwrap();
+    let scene = scene("camera");
+    let draw = |flags: &[&str]| {
+        let output = run(
+            "camera",
+            folder.path(),
+            &[&scene[..], &["--size", "60x60", "--out", "a.png"], flags].concat(),
+        );
+        assert!(output.status.success(), "{flags:?}: {}", String::from_utf8_lossy(&output.stderr));
+        Image::read(&folder.path().join("a.png")).unwrap()
+    };
+    let same = |a: &[&str], b: &[&str]| {
+        let (a, b) = (draw(a), draw(b));
+        assert!(a.pixels().any(|pixel| pixel.2 != Color::BLACK));
+        assert!(a.pixels().zip(b.pixels()).filter(|(a, b)| a.2 != b.2).count() <= 4);
+    };
+    same(&["--up", "1e20,1e20,0"], &["--up", "1,1,0"]);
+    same(&["--up", "1e-30,0,0"], &["--up", "1,0,0"]);
+    same(&["--eye", "0,0,1e20"], &["--eye", "0,0,1e9"]);
+    same(&["--light", "1e-40,1e-40,0"], &["--light", "1,1,0"]);
 }
 
 #[test]
