@@ -3,14 +3,14 @@
 //! A figure is a row of a table `FIGURES` in the file beside its chapter: a name, what a reader who cannot see it
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
+pub(crate) mod picture;
+pub(crate) mod shape;
 pub(crate) mod sheet;
 
 use std::panic::Location;
 use std::path::Path;
 
-use common::compare::side_by_side;
-use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE};
-use common::{Attributes, Image, Model};
+use common::Image;
 
 use crate::lessons::LESSONS;
 use crate::pages;
@@ -43,24 +43,6 @@ impl Figure {
     ) -> Self {
         Self { name, alt, draw, row: Location::caller() }
     }
-}
-
-/// The lessons' model, with all that it has.
-pub(crate) fn model() -> anyhow::Result<Model> {
-    Ok(Model::read(Path::new(DEFAULT_MODEL), Attributes { normals: true, uvs: true })?)
-}
-
-/// The head's texture.
-pub(crate) fn texture() -> anyhow::Result<Image> {
-    Ok(Image::read(Path::new(DEFAULT_TEXTURE))?)
-}
-
-/// Pictures side by side, as wide as a page.
-pub(crate) fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
-    const WIDTH: u16 = 900;
-    let sheet = side_by_side(pictures).map_err(anyhow::Error::msg)?;
-    let height = sheet.height() * i32::from(WIDTH) / sheet.width().max(1);
-    Ok(Drawing::Pixels(sheet.scale(WIDTH, height as u16), 1))
 }
 
 /// What was drawn.
