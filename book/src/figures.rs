@@ -10,6 +10,7 @@ pub(crate) mod sheet;
 use std::panic::Location;
 use std::path::Path;
 
+use anyhow::Context;
 use common::Image;
 
 use crate::lessons::LESSONS;
@@ -17,7 +18,7 @@ use crate::pages;
 use sheet::Sheet;
 
 /// Every figure of the book.
-pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
+fn all() -> impl Iterator<Item = &'static Figure> {
     let of_lessons = LESSONS.iter().map(|lesson| lesson.figures);
     of_lessons.chain([pages::front::FIGURES, pages::wrong::FIGURES]).flatten()
 }
@@ -45,6 +46,42 @@ impl Figure {
     }
 }
 
+/// A figure and what it draws.
+pub(crate) struct Drawn {
+    /// The figure.
+    pub(crate) figure: &'static Figure,
+    /// What it draws.
+    pub(crate) drawing: Drawing,
+}
+
+impl Drawn {
+    /// The name of its file.
+    pub(crate) fn file(&self) -> String {
+        format!("{}.{}", self.figure.name, self.drawing.ending())
+    }
+}
+
+/// Draws all figures.
+///
+/// # Errors
+/// Where one cannot be drawn.
+pub(crate) fn draw() -> anyhow::Result<Vec<Drawn>> {
+    let draw = |figure: &'static Figure| {
+        let drawing = (figure.draw)().with_context(|| format!("the figure {}", figure.name))?;
+        Ok(Drawn { figure, drawing })
+    };
+    all().map(draw).collect()
+}
+
+/// Writes figures into a folder, which is made if need be.
+///
+/// # Errors
+/// Where a file cannot be written.
+pub(crate) fn write(figures: &[Drawn], folder: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    figures.iter().try_for_each(|drawn| drawn.drawing.write(&folder.join(drawn.file())))
+}
+
 /// What was drawn.
 pub(crate) enum Drawing {
     /// Lines and letters.
@@ -61,7 +98,7 @@ impl From<Sheet> for Drawing {
 
 impl Drawing {
     /// The ending of its file's name.
-    pub(crate) fn ending(&self) -> &'static str {
+    fn ending(&self) -> &'static str {
         match self {
             Self::Svg(_) => "svg",
             Self::Pixels(..) => "png",
@@ -83,7 +120,7 @@ impl Drawing {
     ///
     /// # Errors
     /// Where the file cannot be written.
-    pub(crate) fn write(&self, path: &Path) -> anyhow::Result<()> {
+    fn write(&self, path: &Path) -> anyhow::Result<()> {
         match self {
             Self::Svg(sheet) => common::file::write_whole(path, sheet.to_string().as_bytes())?,
             Self::Pixels(image, factor) => {
