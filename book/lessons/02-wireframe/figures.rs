@@ -9,7 +9,6 @@ use lines::line;
 use wireframe::{three_per_triangle, to_pixel, wireframe};
 
 use crate::figures::picture::{all_beside, beside, canvas, model};
-use crate::figures::shape::parsed;
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, PAPER, RED, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
@@ -188,10 +187,7 @@ fn fans() -> anyhow::Result<Drawing> {
     let convex: [(f32, f32); 6] = [(0.0, 1.6), (1.2, 0.0), (3.2, 0.3), (4.2, 1.9), (3.0, 3.5), (1.0, 3.2)];
     let notched: [(f32, f32); 6] = [(9.2, 0.4), (7.4, 1.4), (9.4, 3.4), (6.6, 2.4), (5.4, 3.6), (5.2, 0.2)];
     for corners in [convex, notched] {
-        let vertices: String = corners.iter().map(|(x, y)| format!("v {x} {y} 0\n")).collect();
-        let text = format!("{vertices}f 1 2 3 4 5 6\n");
-        let model = parsed(&text)?;
-        let faces = || model.faces().map(|face| face.map(Vec3::truncate));
+        let faces = || (2..6).map(|n| [0, n - 1, n].map(|i| Vec2::from(corners[i])));
         let inside = |[a, b, c]: &[Vec2; 3]| (b - a).perp_dot(c - a) > 0.0;
         faces().filter(|face| inside(face)).for_each(|face| sheet.polygon(&face, SKY, BLUE));
         faces().filter(|face| !inside(face)).for_each(|face| sheet.polygon(&face, AMBER, BLUE));
