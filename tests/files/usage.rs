@@ -271,6 +271,27 @@ fn directions_may_have_any_length() {
     same(&["--light", "1e-40,1e-40,0"], &["--light", "1,1,0"]);
 }
 
+/// The turntable draws what was read once: from a pipe, there is no second time.
+#[cfg(unix)]
+#[test]
+fn a_turntable_reads_its_texture_once() {
+    for lesson in ["camera", "shaders"] {
+        let folder = tempdir().unwrap();
+        std::os::unix::fs::symlink("/dev/stdin", folder.path().join("pipe.png")).unwrap();
+        let script = format!(
+            "cat {CRATE} | \"$0\" --model {SPHERE} --texture pipe.png --turntable 3 --size 30x30 --out a.png"
+        );
+        let output = std::process::Command::new("sh")
+            .args(["-c", &script])
+            .arg(verify::program(lesson, folder.path()).get_program())
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{lesson}");
+        assert_eq!(names(folder.path()), ["a-000.png", "a-001.png", "a-002.png", "pipe.png"], "{lesson}");
+    }
+}
+
 #[test]
 fn a_comparison_counts() {
     let folder = tempdir().unwrap();
