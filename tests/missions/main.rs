@@ -1,5 +1,3 @@
-//! The missions: known faults, put into the lessons' own functions, are recognised; and the starters and their
-//! solutions, in a copy of the workspace.
+//! The missions: the starters and their solutions, in a copy of the workspace.
 
-mod faults;
 mod workspace;

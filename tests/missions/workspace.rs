@@ -7,61 +7,15 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
-use checks::missions::LESSONS;
+use tasks::name;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// How a mission is solved here: what stands before its functions, and the items of the lesson that are copied
-/// behind it, each known by how its first line begins. Lessons of which no function is built on an earlier one's
-/// lend them as they are.
-const SOLUTIONS: [(&str, &str, &[&str]); 9] = [
-    ("01-lines", "pub use lines::line;", &[]),
-    (
-        "02-wireframe",
-        "use common::{Color, IVec2, Image, Model, Vec3};\nuse lines::line;",
-        &["pub fn unique_edges", "pub fn wireframe", "fn draw_edge", "pub fn edges", "pub fn to_pixel"],
-    ),
-    ("03-triangles", "pub use triangles::{fill, flat_intensity, to_screen};", &[]),
-    (
-        "04-zbuffer",
-        "use common::{Image, Vec3};\nuse triangles::fill;\npub use zbuffer::{DepthBuffer, Surface, to_screen};",
-        &["pub fn depth_at", "pub fn fill_nearest", "pub fn z_f32", "fn draw_nearest"],
-    ),
-    (
-        "05-textures",
-        "use common::{Color, IVec2, Image, Model, Vec2, Vec3};\nuse triangles::flat_intensity;\n\
-         use zbuffer::{DepthBuffer, fill_nearest, to_screen};",
-        &["pub fn texel", "pub fn interpolate", "pub fn draw_textured"],
-    ),
-    (
-        "06-gouraud",
-        "use common::{Image, Vec3};\npub use gouraud::{Drawn, Scene, corner_normals};\n\
-         use textures::{interpolate, texel};\nuse zbuffer::{DepthBuffer, fill_nearest};",
-        &["pub fn intensities", "pub fn gouraud", "fn draw<"],
-    ),
-    (
-        "07-transforms",
-        "pub use transforms::{normal_matrix, place, projection, scale, translate, viewport};",
-        &[],
-    ),
-    (
-        "08-camera",
-        "use common::{Mat3, Mat4, Vec3};\nuse transforms::translate;",
-        &["pub fn basis", "pub fn lookat", "fn farthest_axis"],
-    ),
-    (
-        "09-shaders",
-        "use common::{Color, Image, Model, Vec2};\nuse shaders::Scene;\nuse shaders::source::Source;\n\
-         pub use shaders::lighting::{Gouraud, Quantized};\nuse textures::texel;",
-        &["pub struct Texture", "impl<'a> Texture", "impl Source for Texture"],
-    ),
-];
-
-/// The name in a lesson's `NN-name`.
-fn name(lesson: &str) -> &str {
-    lesson.split_once('-').expect("a lesson has a number").1
-}
+/// The lessons, by number and name.
+static LESSONS: LazyLock<Vec<String>> =
+    LazyLock::new(|| tasks::lessons(Path::new(ROOT)).expect("the workspace can be read"));
 
 /// A copy of the workspace, in the folder of build products, so that the next run builds little.
 struct Copy {
@@ -96,10 +50,10 @@ impl Copy {
         self.root.join("lessons").join(lesson).join("mission").join(file)
     }
 
-    fn cargo(&self, command: &str, lessons: &[&str], arguments: &[&str]) -> Output {
+    fn cargo(&self, command: &str, lessons: &[impl AsRef<str>], arguments: &[&str]) -> Output {
         Command::new(env!("CARGO"))
             .arg(command)
-            .args(lessons.iter().flat_map(|lesson| ["--package".into(), format!("my-{}", name(lesson))]))
+            .args(lessons.iter().map(|lesson| format!("--package=my-{}", name(lesson.as_ref()))))
             .args(arguments)
             .current_dir(&self.root)
             .env("CARGO_TARGET_DIR", self.root.join("target"))
@@ -148,13 +102,6 @@ fn source(lesson: &str) -> String {
     paths.iter().map(|path| fs::read_to_string(path).expect("it is text")).collect()
 }
 
-/// The item whose first line begins in this way. It ends at the next line that is a lone brace.
-fn item(source: &str, begins: &str) -> String {
-    let lines: Vec<&str> = source.lines().skip_while(|line| !line.starts_with(begins)).collect();
-    let end = lines.iter().position(|line| *line == "}").unwrap_or_else(|| panic!("there is no `{begins}`"));
-    lines[..=end].join("\n") + "\n"
-}
-
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
@@ -169,7 +116,7 @@ fn starters_fail_kindly_and_solutions_pass() {
     let built = copy.cargo("build", &LESSONS, &[]);
     let said = text(&built.stderr);
     assert!(built.status.success() && !said.contains("warning"), "{said}");
-    for lesson in LESSONS {
+    for lesson in LESSONS.iter() {
         let ran = copy.run(lesson);
         let said = text(&ran.stderr);
         assert_eq!((ran.status.code(), text(&ran.stdout).as_str()), (Some(1), ""), "{lesson}: {said}");
@@ -183,19 +130,18 @@ fn starters_fail_kindly_and_solutions_pass() {
     let verdicts: Vec<&str> = tested.lines().filter(|line| line.starts_with("test ")).collect();
     let failed = verdicts.iter().filter(|line| line.contains("FAILED") && line.contains("not written yet"));
     let results = verdicts.iter().filter(|line| line.starts_with("test result: FAILED. 0 passed"));
-    assert_eq!((failed.count() + results.clone().count(), results.count()), (verdicts.len(), 9), "{tested}");
+    assert_eq!((failed.count() + results.clone().count(), results.count()), (verdicts.len(), LESSONS.len()), "{tested}");
 
     // Solved, each on the solutions of the lessons below.
-    for (lesson, preamble, items) in SOLUTIONS {
-        let source = source(lesson);
-        let solved: String = items.iter().map(|begins| item(&source, begins)).collect();
-        copy.write(lesson, "src/lib.rs", &format!("#![allow(missing_docs)]\n{preamble}\n{solved}"));
-        let own = format!("{} = {{ path = \"..\" }}\n", name(lesson));
-        copy.write(lesson, "Cargo.toml", &on_own_lessons(&copy.read(lesson, "Cargo.toml"), &own));
+    for lesson in LESSONS.iter() {
+        let solution = Path::new(ROOT).join("tests/lessons").join(lesson).join("solution.rs");
+        let solution = fs::read_to_string(&solution).unwrap_or_else(|_| panic!("{} is not there", solution.display()));
+        copy.write(lesson, "src/lib.rs", &solution);
+        copy.write(lesson, "Cargo.toml", &on_own_lessons(&copy.read(lesson, "Cargo.toml")));
     }
     let built = copy.cargo("build", &LESSONS, &[]);
     assert!(built.status.success(), "{}", text(&built.stderr));
-    for lesson in LESSONS {
+    for lesson in LESSONS.iter() {
         let ran = copy.run(lesson);
         let said = text(&ran.stdout);
         assert!(ran.status.success() && said.contains(": 10 of 10 points\n"), "{lesson}: {said}");
@@ -209,12 +155,12 @@ fn starters_fail_kindly_and_solutions_pass() {
         ("std::process::abort()", 0, "crashed: the program ended"),
         ("std::process::exit(0)", 0, "crashed: the program ended"),
         ("if image.width() == 64 { [0][a.x as usize]; }", 2, "lib.rs:4: index out of bounds"),
-        ("println!(\"right\"); lines::line(a, b, image, color)", 10, "\nright  picture "),
+        ("println!(\"right\")", 10, "\nright  picture "),
     ] {
         let code = format!(
             "#![allow(unused)]\nuse common::{{Color, IVec2, Image}};\n\
              pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {{\n{fault};\n\
-             lines::line(a, b, image, color) }}"
+             solution::line(a, b, image, color) }}\nmod solution {{ {solution} }}"
         );
         copy.write("01-lines", "src/lib.rs", &code);
         assert!(copy.cargo("build", &["01-lines"], &[]).status.success(), "{fault}");
@@ -226,20 +172,22 @@ fn starters_fail_kindly_and_solutions_pass() {
     }
     copy.write("01-lines", "src/lib.rs", &solution);
 
-    // They are built on each other: what is broken in lesson 4 is broken in 5 and 6, and not in 3 or 7.
-    let broken = copy.read("04-zbuffer", "src/lib.rs").replace("depth > depths.get", "depth < depths.get");
-    copy.write("04-zbuffer", "src/lib.rs", &broken);
+    // They are built on each other: where one is not written, those that use it fail, and no others.
+    let built_on = |below: &str| -> Vec<&String> {
+        let own = format!("package = \"my-{}\"", name(below));
+        LESSONS.iter().filter(|lesson| copy.read(lesson, "Cargo.toml").contains(&own)).collect()
+    };
+    let below = LESSONS.iter().max_by_key(|lesson| built_on(lesson).len()).expect("there are lessons");
+    let starter = Path::new(ROOT).join("lessons").join(below).join("mission/src/lib.rs");
+    copy.write(below, "src/lib.rs", &fs::read_to_string(starter).expect("a lesson has a mission"));
     assert!(copy.cargo("build", &LESSONS, &[]).status.success());
-    let passing: Vec<&str> = LESSONS.into_iter().filter(|lesson| copy.run(lesson).status.success()).collect();
-    assert_eq!(
-        passing,
-        ["01-lines", "02-wireframe", "03-triangles", "07-transforms", "08-camera", "09-shaders"]
-    );
+    let failing: Vec<&String> = LESSONS.iter().filter(|lesson| !copy.run(lesson).status.success()).collect();
+    assert!(failing.len() > 1);
+    assert_eq!(failing, [&[below][..], &built_on(below)].concat());
 }
 
-/// A mission's Cargo.toml with every `# name = …` line in the place of the line above it; and with the lesson
-/// itself, where it has not got that.
-fn on_own_lessons(manifest: &str, own: &str) -> String {
+/// A mission's Cargo.toml with every `# name = …` line in the place of the line above it.
+fn on_own_lessons(manifest: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut moved = 0;
     for line in manifest.lines() {
@@ -256,11 +204,6 @@ fn on_own_lessons(manifest: &str, own: &str) -> String {
     }
     let others = lines.iter().filter(|line| line.contains("package = \"my-")).count();
     assert_eq!(others, moved);
-    let key = own.split(' ').next().unwrap_or_default();
-    if !lines.iter().any(|line| line.starts_with(&format!("{key}."))) {
-        let at = lines.iter().position(|line| line == "[dependencies]").expect("it has dependencies") + 1;
-        lines.insert(at, own.trim_end().into());
-    }
     lines.join("\n") + "\n"
 }
 
@@ -268,7 +211,7 @@ fn on_own_lessons(manifest: &str, own: &str) -> String {
 #[test]
 #[ignore = "for the course's own CI: a student's are written"]
 fn no_starter_gives_the_solution_away() {
-    for lesson in LESSONS {
+    for lesson in LESSONS.iter() {
         let path = Path::new(ROOT).join("lessons").join(lesson).join("mission/src/lib.rs");
         let starter = fs::read_to_string(path).expect("a lesson has a mission");
         let code = |text: &str| -> BTreeSet<String> {
@@ -312,9 +255,33 @@ fn missions_are_members_but_not_default_members() {
         .and_then(|(_, rest)| rest.split_once("\"workspace_default_members\":"))
         .expect("cargo lists members and default members");
     let defaults = defaults.split_once(']').expect("it is a list").0;
-    for lesson in LESSONS {
+    for lesson in LESSONS.iter() {
         let id = format!("lessons/{lesson}/mission#my-{}@", name(lesson));
         assert!(members.contains(&id) && !defaults.contains(&id), "{lesson}");
         assert!(defaults.contains(&format!("lessons/{lesson}#{}@", name(lesson))), "{lesson}");
+    }
+}
+
+/// What runs a submission is built of the tasks and of what is given, and has no way to what is expected.
+#[test]
+fn a_mission_is_built_without_what_it_asks_for() {
+    for (n, lesson) in LESSONS.iter().enumerate() {
+        let name = name(lesson);
+        let output = Command::new(env!("CARGO"))
+            .args(["tree", "--offline", "--edges=normal", "--prefix=none", "--format={p}", "--package"])
+            .arg(format!("my-{name}"))
+            .current_dir(ROOT)
+            .output()
+            .expect("cargo can be started");
+        let tree = text(&output.stdout);
+        let own: BTreeSet<&str> =
+            tree.lines().filter(|line| line.contains('/')).filter_map(|line| line.split(' ').next()).collect();
+        let manifest = fs::read_to_string(Path::new(ROOT).join("lessons").join(lesson).join("mission/Cargo.toml"));
+        let given = manifest.expect("a mission is a package").contains(&format!("\n{name}.workspace = true"));
+        let mut may: BTreeSet<String> = ["common".into(), "tasks".into(), format!("my-{name}")].into();
+        may.insert(format!("{name}-tasks"));
+        may.extend(LESSONS[..n + usize::from(given)].iter().map(|below| tasks::name(below).to_string()));
+        let more: Vec<_> = own.iter().filter(|package| !may.contains(**package)).collect();
+        assert!(own.contains("tasks") && more.is_empty(), "{lesson}: {more:?}");
     }
 }
