@@ -130,12 +130,17 @@ fn starters_fail_kindly_and_solutions_pass() {
     let verdicts: Vec<&str> = tested.lines().filter(|line| line.starts_with("test ")).collect();
     let failed = verdicts.iter().filter(|line| line.contains("FAILED") && line.contains("not written yet"));
     let results = verdicts.iter().filter(|line| line.starts_with("test result: FAILED. 0 passed"));
-    assert_eq!((failed.count() + results.clone().count(), results.count()), (verdicts.len(), LESSONS.len()), "{tested}");
+    assert_eq!(
+        (failed.count() + results.clone().count(), results.count()),
+        (verdicts.len(), LESSONS.len()),
+        "{tested}"
+    );
 
     // Solved, each on the solutions of the lessons below.
     for lesson in LESSONS.iter() {
         let solution = Path::new(ROOT).join("tests/lessons").join(lesson).join("solution.rs");
-        let solution = fs::read_to_string(&solution).unwrap_or_else(|_| panic!("{} is not there", solution.display()));
+        let solution =
+            fs::read_to_string(&solution).unwrap_or_else(|_| panic!("{} is not there", solution.display()));
         copy.write(lesson, "src/lib.rs", &solution);
         copy.write(lesson, "Cargo.toml", &on_own_lessons(&copy.read(lesson, "Cargo.toml")));
     }
@@ -274,9 +279,13 @@ fn a_mission_is_built_without_what_it_asks_for() {
             .output()
             .expect("cargo can be started");
         let tree = text(&output.stdout);
-        let own: BTreeSet<&str> =
-            tree.lines().filter(|line| line.contains('/')).filter_map(|line| line.split(' ').next()).collect();
-        let manifest = fs::read_to_string(Path::new(ROOT).join("lessons").join(lesson).join("mission/Cargo.toml"));
+        let own: BTreeSet<&str> = tree
+            .lines()
+            .filter(|line| line.contains('/'))
+            .filter_map(|line| line.split(' ').next())
+            .collect();
+        let manifest =
+            fs::read_to_string(Path::new(ROOT).join("lessons").join(lesson).join("mission/Cargo.toml"));
         let given = manifest.expect("a mission is a package").contains(&format!("\n{name}.workspace = true"));
         let mut may: BTreeSet<String> = ["common".into(), "tasks".into(), format!("my-{name}")].into();
         may.insert(format!("{name}-tasks"));

@@ -345,7 +345,7 @@ pub(crate) fn lessons(list: &str, all: &[String]) -> Result<Vec<String>, String>
     if chosen.is_empty() {
         return Err("it names no lesson".into());
     }
-    Ok(chosen.iter().filter_map(|number| numbers.get(number)).map(|lesson| lesson.to_string()).collect())
+    Ok(chosen.iter().filter_map(|number| numbers.get(number).copied().cloned()).collect())
 }
 
 #[cfg(test)]

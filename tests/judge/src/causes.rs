@@ -42,7 +42,7 @@ pub const PICTURE: [Cause; 8] = [
 ];
 
 /// A list of causes, and after it those that any picture has.
-#[must_use] 
+#[must_use]
 pub fn picture_and(more: &[Cause]) -> Vec<Cause> {
     [more, &PICTURE].concat()
 }
@@ -67,13 +67,13 @@ pub fn rows(raw: &Raw, change: impl Fn(&mut [f32])) -> Raw {
 }
 
 /// Every number with its sign changed.
-#[must_use] 
+#[must_use]
 pub fn negated(raw: &Raw) -> Raw {
     rows(raw, |row| row.iter_mut().for_each(|value| *value = -*value))
 }
 
 /// Rows and columns swapped, of a square table.
-#[must_use] 
+#[must_use]
 pub fn transposed(raw: &Raw) -> Raw {
     let mut transposed = raw.clone();
     if let (Raw::Numbers { columns, values }, Raw::Numbers { values: from, .. }) = (&mut transposed, raw)
@@ -85,13 +85,13 @@ pub fn transposed(raw: &Raw) -> Raw {
 }
 
 /// Top and bottom swapped.
-#[must_use] 
+#[must_use]
 pub fn upside_down(raw: &Raw) -> Raw {
     picture(raw, |from, x, y| from.get(x, from.height() - 1 - y))
 }
 
 /// Left and right swapped.
-#[must_use] 
+#[must_use]
 pub fn mirrored(raw: &Raw) -> Raw {
     picture(raw, |from, x, y| from.get(from.width() - 1 - x, y))
 }

@@ -17,8 +17,8 @@ mod show;
 use std::path::Path;
 use std::process::ExitCode;
 
-use common::program::tell;
-use tasks::{Check, Mission, Precision, Raw, Task};
+use common::terminal::eprintln;
+use tasks::{Mission, Precision, Raw};
 
 pub use compare::{Finding, Verdict, Wrong};
 pub use mark::picture_files;
@@ -79,7 +79,8 @@ impl<F> Judge<F> {
     pub fn key(&self, seed: u64) -> Vec<Sheet> {
         let names = self.mission.checks.iter().map(|check| check.name);
         assert!(names.eq(self.causes.iter().map(|row| row.0)), "a row of causes for each check, in order");
-        let sheet = |((check, tasks), (_, causes)): ((&Check<F>, Vec<Task<F>>), &(_, Causes))| Sheet {
+        let rows = self.mission.checks.iter().zip(self.mission.tasks(seed)).zip(self.causes);
+        rows.map(|((check, tasks), (_, causes))| Sheet {
             name: check.name,
             asks: check.asks,
             points: check.points,
@@ -92,8 +93,8 @@ impl<F> Judge<F> {
                 })
                 .collect(),
             causes: causes(),
-        };
-        self.mission.checks.iter().zip(self.mission.tasks(seed)).zip(self.causes).map(sheet).collect()
+        })
+        .collect()
     }
 
     /// A judge's program.
@@ -110,12 +111,12 @@ impl<F> Judge<F> {
             ["checks", seed] => self.print_checks(seed),
             ["mark", seed, answers, pictures] => self.mark(seed, Path::new(answers), Path::new(pictures)),
             _ => {
-                tell(format_args!("for students: cargo run -p my-{}", tasks::name(self.mission.lesson)));
+                eprintln(format_args!("for students: cargo run -p my-{}", tasks::name(self.mission.lesson)));
                 return ExitCode::from(2);
             }
         };
         result.unwrap_or_else(|error| {
-            tell(format_args!("error: {error:#}"));
+            eprintln(format_args!("error: {error:#}"));
             ExitCode::FAILURE
         })
     }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use anyhow::Context;
 use common::Image;
-use common::program::print;
+use common::terminal::print;
 use tasks::Answer;
 
 use super::show::{judge, pictures};

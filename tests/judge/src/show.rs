@@ -6,7 +6,7 @@ use std::process::{Command, ExitCode};
 use anyhow::Context;
 use checks::picture::distance;
 use common::compare::{Difference, side_by_side};
-use common::program::{print, tell};
+use common::terminal::{eprintln, print};
 use common::{Color, Format, IVec2, Image, preview};
 use tasks::{Answer, COURSE, Raw, SEED};
 
@@ -52,7 +52,7 @@ impl<F> Judge<F> {
         if let Some(said) =
             answers.first().and_then(unwritten).filter(|_| answers.iter().all(|a| unwritten(a).is_some()))
         {
-            tell(format_args!("Nothing is written yet. Begin at {said}"));
+            eprintln(format_args!("Nothing is written yet. Begin at {said}"));
             return Ok(ExitCode::FAILURE);
         }
 

@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use std::time::{Duration, SystemTime};
 
 use anyhow::{Context, bail, ensure};
-use common::program::{print, tell};
+use common::terminal::{eprintln, print};
 
 use super::{Answer, COURSE, Mission, name};
 
@@ -39,12 +39,12 @@ impl<F> Mission<F> {
             ["--quiet"] => self.judge("tell", &[]),
             ["--watch"] => self.watch(),
             _ => {
-                tell(USAGE);
+                eprintln(USAGE);
                 return ExitCode::from(2);
             }
         };
         result.unwrap_or_else(|error| {
-            tell(format_args!("error: {error:#}"));
+            eprintln(format_args!("error: {error:#}"));
             ExitCode::FAILURE
         })
     }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::LazyLock;
 
-use common::program::DEFAULT_MODEL;
+use common::program::model::DEFAULT_MODEL;
 use common::{Attributes, Color, Format, Image, Model, Vec3};
 use fastrand::Rng;
 
@@ -26,7 +26,7 @@ pub static TEXTURE: LazyLock<Image> = LazyLock::new(|| {
 });
 
 /// A black picture.
-#[must_use] 
+#[must_use]
 pub fn canvas(width: u16, height: u16) -> Image {
     Image::new(width, height, Format::Rgb)
 }
@@ -69,7 +69,7 @@ pub struct Square {
 ///
 /// # Panics
 /// Where a number is not finite.
-#[must_use] 
+#[must_use]
 pub fn squares(squares: &[Square]) -> Model {
     let mut text = String::from("vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n");
     for (n, Square { place: [left, bottom, right, top, z], normals }) in squares.iter().enumerate() {

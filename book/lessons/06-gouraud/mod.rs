@@ -1,0 +1,4 @@
+//! What the book shows of lesson 6, beside its chapter.
+
+pub(crate) mod charts;
+pub(crate) mod figures;
