@@ -62,6 +62,13 @@ impl Copy {
             .expect("cargo can be started")
     }
 
+    /// Builds students' programs, and the judges that they call.
+    fn build(&self, lessons: &[impl AsRef<str>]) -> Output {
+        let judges: Vec<String> =
+            lessons.iter().map(|lesson| format!("--package={}-judge", name(lesson.as_ref()))).collect();
+        self.cargo("build", lessons, &judges.iter().map(String::as_str).collect::<Vec<_>>())
+    }
+
     /// A student's program, run.
     fn run(&self, lesson: &str) -> Output {
         let program = format!("target/debug/my-{}{}", name(lesson), std::env::consts::EXE_SUFFIX);
@@ -113,7 +120,7 @@ fn starters_fail_kindly_and_solutions_pass() {
     let copy = Copy::new();
 
     // Untouched.
-    let built = copy.cargo("build", &LESSONS, &[]);
+    let built = copy.build(&LESSONS);
     let said = text(&built.stderr);
     assert!(built.status.success() && !said.contains("warning"), "{said}");
     for lesson in LESSONS.iter() {
@@ -144,7 +151,7 @@ fn starters_fail_kindly_and_solutions_pass() {
         copy.write(lesson, "src/lib.rs", &solution);
         copy.write(lesson, "Cargo.toml", &on_own_lessons(&copy.read(lesson, "Cargo.toml")));
     }
-    let built = copy.cargo("build", &LESSONS, &[]);
+    let built = copy.build(&LESSONS);
     assert!(built.status.success(), "{}", text(&built.stderr));
     for lesson in LESSONS.iter() {
         let ran = copy.run(lesson);
@@ -168,7 +175,7 @@ fn starters_fail_kindly_and_solutions_pass() {
              solution::line(a, b, image, color) }}\nmod solution {{ {solution} }}"
         );
         copy.write("01-lines", "src/lib.rs", &code);
-        assert!(copy.cargo("build", &["01-lines"], &[]).status.success(), "{fault}");
+        assert!(copy.build(&["01-lines"]).status.success(), "{fault}");
         let told = text(&copy.run("01-lines").stdout);
         assert!(
             told.contains(said) && told.contains(&format!(": {points} of 10 points\n")),
@@ -185,7 +192,7 @@ fn starters_fail_kindly_and_solutions_pass() {
     let below = LESSONS.iter().max_by_key(|lesson| built_on(lesson).len()).expect("there are lessons");
     let starter = Path::new(ROOT).join("lessons").join(below).join("mission/src/lib.rs");
     copy.write(below, "src/lib.rs", &fs::read_to_string(starter).expect("a lesson has a mission"));
-    assert!(copy.cargo("build", &LESSONS, &[]).status.success());
+    assert!(copy.build(&LESSONS).status.success());
     let failing: Vec<&String> = LESSONS.iter().filter(|lesson| !copy.run(lesson).status.success()).collect();
     assert!(failing.len() > 1);
     assert_eq!(failing, [&[below][..], &built_on(below)].concat());
