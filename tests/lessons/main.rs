@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `snapshots.rs` | what each method draws, against the `pictures/` beside it |
 //! | `stability.rs` | where methods fail, and where they must not: tables of (input, method, what must happen) |
+//! | `usage.rs` | the program's command line |
 //! | `properties.rs` | what must hold for any input, tried on random ones; `proptest` makes a failing one small |
 //!
 //! Small pictures are text; whole ones are PNG, drawn by the lesson's program. Up to lesson 6 the tolerance is 0:
@@ -15,8 +16,6 @@
 //!
 //! A failure is pinned to the letter, so that a test notices when a method stops failing as the lesson says it
 //! does. Every method of a lesson has a row for every input.
-
-mod defaults;
 
 #[path = "08-camera/mod.rs"]
 mod camera;
@@ -36,3 +35,31 @@ mod triangles;
 mod wireframe;
 #[path = "04-zbuffer/mod.rs"]
 mod zbuffer;
+
+/// Every lesson's tests are among these, and what belongs to them is there.
+#[test]
+fn every_lesson_has_its_tests() {
+    let own = std::env::current_exe().expect("this program has a place");
+    let listed = std::process::Command::new(own).arg("--list").output().expect("it can be started");
+    let listed = String::from_utf8(listed.stdout).expect("names are text");
+    let course = std::path::Path::new(tasks::COURSE);
+    for lesson in tasks::lessons(course).expect("the course can be read") {
+        for kind in ["snapshots", "stability", "usage"] {
+            let module = format!("{}::{kind}::", tasks::name(&lesson));
+            let found = listed.lines().any(|test| test.starts_with(&module));
+            assert!(
+                found,
+                "no test is in {module}: see tests/lessons/main.rs and tests/lessons/{lesson}/mod.rs"
+            );
+        }
+        for file in ["pictures/default.snap", "tasks/src/lib.rs", "judge/src/main.rs", "solution.rs"] {
+            let path = course.join("tests/lessons").join(&lesson).join(file);
+            assert!(path.exists(), "there is no tests/lessons/{lesson}/{file}");
+        }
+        let readme = std::fs::read_to_string(course.join("README.md")).expect("there is a README");
+        assert!(
+            readme.contains(&format!("](lessons/{lesson}/src/lib.rs)<br>")),
+            "the README has no row for {lesson}"
+        );
+    }
+}

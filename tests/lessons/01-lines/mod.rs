@@ -3,3 +3,4 @@
 mod properties;
 mod snapshots;
 mod stability;
+mod usage;

@@ -3,3 +3,4 @@
 mod properties;
 pub(crate) mod snapshots;
 mod stability;
+mod usage;

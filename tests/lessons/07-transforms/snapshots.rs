@@ -63,3 +63,10 @@ fn the_sphere_from_three_distances() {
         assert_similar(&LESSON, &format!("distance-{distance}"), &draw("transforms", &arguments));
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("transforms", &["--size", "200x200"]);
+    assert_similar(&LESSON, "default", &picture);
+}

@@ -45,3 +45,10 @@ fn the_turntable_goes_around() {
         assert_similar(&LESSON, &format!("turntable-{n}"), &picture);
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("camera", &["--size", "200x200"]);
+    assert_similar(&LESSON, "default", &picture);
+}
