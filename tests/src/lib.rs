@@ -1,10 +1,31 @@
-//! What the tests of all lessons share: running a lesson's program, and snapshots of pictures.
+//! What the tests of all lessons share: running a lesson's program, what holds for every command line, and snapshots
+//! of pictures.
+//!
+//! The tests of a lesson are a package in `tests/lessons/NN-name`:
+//!
+//! | file | what is in it |
+//! |---|---|
+//! | `snapshots.rs` | what each method draws, against the `pictures/` beside it |
+//! | `stability.rs` | where methods fail, and where they must not: tables of (input, method, what must happen) |
+//! | `properties.rs` | what must hold for any input, tried on random ones; `proptest` makes a failing one small |
+//! | `usage.rs` | the program's command line |
+//! | `tasks/`, `judge.rs`, `faults.rs`, `solution.rs` | the mission: inputs, judgement, faults that are recognised |
+//!
+//! Small pictures are text; whole ones are PNG, drawn by the lesson's program. Up to lesson 6 the tolerance is 0:
+//! lines and `edges` compute in integers, and what is computed in floats uses +, −, ×, ÷ and √ alone, which
+//! IEEE 754 defines to the last bit on every platform. From lesson 7 on there are sines, which platforms round
+//! differently, and matrix products, which glam computes with fused multiplications on some processors. Both move
+//! a corner by an ulp or so: an intensity may then be rounded to the other side, and a pixel at a side or at a
+//! texel's border change hands.
+//!
+//! A failure is pinned to the letter, so that a test notices when a method stops failing as the lesson says it
+//! does. Every method of a lesson has a row for every input.
+//!
+//! This package's own tests:
 //!
 //! ```text
-//! lessons/     a folder a lesson: what its methods draw, where they fail, what its program is asked; its mission
-//! missions/    starters and solutions, as a student meets them
-//! files/       bad files, and the assets made again
-//! benches/     what drawing costs
+//! course/   the lessons' folders are whole; the missions as a student meets them; a lesson more
+//! files/    bad files, and the assets made again
 //! ```
 
 pub mod usage;
@@ -17,7 +38,7 @@ use std::sync::{Mutex, PoisonError};
 
 use checks::picture::{Fault, faults};
 use common::file::Encoding;
-use common::{Bounds, IVec2, Image, Lesson};
+use common::{Bounds, IVec2, Image, Lesson, Vec3};
 use escargot::CargoBuild;
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot, assert_binary_snapshot, assert_snapshot};
@@ -180,6 +201,19 @@ pub fn names(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+/// The letter F in triangles, about the origin.
+#[must_use]
+pub fn letter() -> Vec<[Vec3; 3]> {
+    let bar = |[x0, y0, x1, y1]: [f32; 4]| {
+        let [a, b, c, d] = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        [[a, b, c], [a, c, d]]
+    };
+    [[-4.2, -7.1, -1.9, 7.1], [-1.9, 4.8, 4.9, 7.1], [-1.9, -0.6, 3.1, 1.7]]
+        .into_iter()
+        .flat_map(bar)
+        .collect()
 }
 
 /// The rectangle of pixels from (0, 0) on.

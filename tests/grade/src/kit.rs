@@ -71,7 +71,7 @@ fn compile(course: &Path, lessons: &[String]) -> anyhow::Result<BTreeMap<Package
         "--message-format=json-render-diagnostics",
     ]);
     lessons.iter().for_each(|lesson| {
-        cargo.args(["--package", &package(lesson), "--package", &judge(lesson)]);
+        cargo.args(["--package", &package(lesson), "--package", &tests(lesson)]);
     });
     let mut cargo =
         cargo.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
@@ -113,7 +113,7 @@ impl Toolchain {
         self.gather(given.iter().map(|(_, id)| id), &reads)?;
         self.gather(tasks.iter().chain(&given).map(|(_, id)| id), &links)?;
 
-        let judge = self.artifacts.get(&self.package(&judge(lesson))?);
+        let judge = self.artifacts.get(&self.package(&tests(lesson))?);
         let judge =
             judge.and_then(|artifact| artifact.executable.as_ref()).context("the judge was not built")?;
         let mut kit = Kit {
@@ -247,8 +247,8 @@ fn package(lesson: &str) -> String {
     format!("my-{}", tasks::name(lesson))
 }
 
-fn judge(lesson: &str) -> String {
-    format!("{}-judge", tasks::name(lesson))
+fn tests(lesson: &str) -> String {
+    format!("{}-tests", tasks::name(lesson))
 }
 
 /// What of a package others are compiled against.

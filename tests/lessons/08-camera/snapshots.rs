@@ -2,9 +2,7 @@ use camera::{LESSON, METHODS};
 use common::{Color, Format, Image, Vec3};
 use transforms::{place, projection, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, run};
-
-use crate::transforms::snapshots::letter;
+use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, letter, run};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 

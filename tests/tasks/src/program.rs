@@ -81,15 +81,15 @@ impl<F> Mission<F> {
     /// `tell` (without the picture) or `test`.
     fn judge(&self, way: &str, words: &[&str]) -> anyhow::Result<ExitCode> {
         let own = std::env::current_exe().context("cannot find this program")?;
-        let judge = format!("{}-judge", name(self.lesson));
+        let [package, judge] = ["tests", "judge"].map(|kind| format!("{}-{kind}", name(self.lesson)));
         // The first time, building it takes a while, and Cargo says so.
         let file = format!("{judge}{}", std::env::consts::EXE_SUFFIX);
         let built = own.ancestors().skip(1).take(2).any(|folder| folder.join(&file).exists());
         if !built {
-            let status = cargo("build", &judge).status().context(NO_CARGO)?;
+            let status = cargo("build", &package).status().context(NO_CARGO)?;
             ensure!(status.success(), "{judge} cannot be built");
         }
-        let mut judging = cargo("run", &judge);
+        let mut judging = cargo("run", &package);
         judging.arg("--quiet").arg("--").arg(way).arg(own).args(words);
         Ok(code(judging.status().context(NO_CARGO)?))
     }

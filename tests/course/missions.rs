@@ -65,7 +65,7 @@ impl Copy {
     /// Builds students' programs, and the judges that they call.
     fn build(&self, lessons: &[impl AsRef<str>]) -> Output {
         let judges: Vec<String> =
-            lessons.iter().map(|lesson| format!("--package={}-judge", name(lesson.as_ref()))).collect();
+            lessons.iter().map(|lesson| format!("--package={}-tests", name(lesson.as_ref()))).collect();
         self.cargo("build", lessons, &judges.iter().map(String::as_str).collect::<Vec<_>>())
     }
 

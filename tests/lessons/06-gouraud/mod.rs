@@ -1,5 +1,0 @@
-//! Lesson 6.
-
-mod snapshots;
-mod stability;
-mod usage;

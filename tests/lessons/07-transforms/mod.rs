@@ -1,6 +1,0 @@
-//! Lesson 7.
-
-mod properties;
-pub(crate) mod snapshots;
-mod stability;
-mod usage;

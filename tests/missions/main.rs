@@ -1,3 +1,0 @@
-//! The missions: the starters and their solutions, in a copy of the workspace.
-
-mod workspace;
