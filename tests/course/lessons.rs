@@ -22,6 +22,9 @@ fn every_lesson_has_its_tests() {
         let judge = fs::read_to_string(folder.join("judge.rs")).unwrap_or_default();
         assert!(judge.contains("\nmod faults;\n"), "tests/lessons/{lesson}/judge.rs has no `mod faults;`");
         let row = format!("](lessons/{lesson}/src/lib.rs)");
-        assert!(readme.lines().any(|line| line.starts_with('|') && line.contains(&row)), "README: no row of {lesson}");
+        assert!(
+            readme.lines().any(|line| line.starts_with('|') && line.contains(&row)),
+            "README: no row of {lesson}"
+        );
     }
 }

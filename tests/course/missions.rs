@@ -1,7 +1,7 @@
 //! The missions as a student meets them, in a copy of the workspace: untouched, and solved.
 //!
 //! Building them takes a minute, and in a student's clone they are no longer untouched; so these tests are for
-//! the course's own CI: `cargo test -p verify --test missions -- --ignored`.
+//! the course's own CI: `cargo test -p verify --test course -- --ignored`.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Judgement of missions: what is right, what is wrong, and why.
 //!
-//! A lesson's judge is a program, in `tests/lessons/NN-name/judge`: the lesson's own functions as [`Judge`], and the
+//! A lesson's judge is a program, `tests/lessons/NN-name/judge.rs`: the lesson's own functions as [`Judge`], and the
 //! faults that it recognises in the results. It judges in two ways:
 //!
 //! - for a student it starts the program that was built of what the student wrote, asks it for its answers, and

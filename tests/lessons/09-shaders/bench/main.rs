@@ -1,4 +1,4 @@
-//! What drawing costs: `cargo bench -p verify`, single-threaded.
+//! What drawing costs: `cargo bench -p shaders-tests`, single-threaded.
 //!
 //! | group | what is compared | at |
 //! |---|---|---|
