@@ -7,7 +7,7 @@ use std::process::Output;
 use common::{Color, Image, Lesson, Method};
 use tempfile::tempdir;
 
-use super::{CRATE, SPHERE, names, run};
+use super::{CRATE, SPHERE, names, program, run};
 
 /// Checks that a program failed as it should, and said why in one line.
 ///
@@ -140,6 +140,28 @@ pub fn check_turntable(lesson: &Lesson) {
     let expected: Vec<String> = (0..3).flat_map(|n| ["png", "tga"].map(|kind| file(n, kind))).collect();
     assert_eq!(names(&out), expected);
     assert!(read(&out, &file(0, "png")) != read(&out, &file(1, "png")));
+}
+
+/// Checks that a turntable reads its texture once: from a pipe, there is no second time.
+///
+/// # Panics
+/// Where it does not.
+#[cfg(unix)]
+#[track_caller]
+pub fn check_turntable_reads_once(lesson: &Lesson) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    std::os::unix::fs::symlink("/dev/stdin", folder.path().join("pipe.png")).expect("a link can be made");
+    let script = format!(
+        "cat {CRATE} | \"$0\" --model {SPHERE} --texture pipe.png --turntable 3 --size 30x30 --out a.png"
+    );
+    let output = std::process::Command::new("sh")
+        .args(["-c", &script])
+        .arg(program(lesson.name, folder.path()).get_program())
+        .current_dir(folder.path())
+        .output()
+        .expect("there is a shell");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert_eq!(names(folder.path()), ["a-000.png", "a-001.png", "a-002.png", "pipe.png"]);
 }
 
 /// Writes `bare.obj`: a triangle of positions alone.

@@ -19,6 +19,12 @@ fn a_turntable_writes_as_many_pictures_as_asked_for() {
     usage::check_turntable(&LESSON);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_turntable_reads_its_texture_once() {
+    usage::check_turntable_reads_once(&LESSON);
+}
+
 #[test]
 fn wrong_command_lines() {
     usage::refuses(
