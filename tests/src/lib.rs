@@ -60,7 +60,10 @@ fn built(name: &str) -> PathBuf {
             lesson => CargoBuild::new().package(lesson).bin(lesson),
         };
         // Together with this package, so that they share its features and all that was built with them.
-        let program = build.arg("--package=verify").manifest_path("../Cargo.toml").run();
+        let program = build
+            .arg("--package=verify")
+            .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml"))
+            .run();
         let program = program.unwrap_or_else(|error| panic!("{name}: {error}"));
         built.insert(name.into(), program.path().to_path_buf());
     }
