@@ -79,7 +79,9 @@ fn a_model_of_any_size_can_be_brought_into_view() {
         fs::write(folder.path().join(name), text).unwrap();
     }
     let arguments = ["--size", "80x80", "--out", "a.png", "--model"];
-    for lesson in verify::LESSONS.iter().skip(1).map(|lesson| lesson.name) {
+    for lesson in
+        ["wireframe", "triangles", "zbuffer", "textures", "gouraud", "transforms", "camera", "shaders"]
+    {
         for (name, said) in [
             (
                 "mm.obj",

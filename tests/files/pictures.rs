@@ -5,7 +5,7 @@ use common::file::Encoding;
 use common::{Color, Error, Format, Image};
 use proptest::prelude::*;
 use tempfile::tempdir;
-use verify::run;
+use verify::{CRATE, SPHERE, run};
 
 use crate::{assert_fails, names};
 
@@ -321,6 +321,62 @@ fn a_truncated_or_altered_picture_is_an_error_that_names_it() {
     assert_eq!(missing, "cannot read none/none.png");
     fs::create_dir(folder.path().join("folder.png")).unwrap();
     assert!(Image::read(&folder.path().join("folder.png")).is_err());
+}
+
+#[test]
+fn flags_that_do_not_go_together_are_refused() {
+    let folder = tempdir().unwrap();
+    let same = ["--model", SPHERE, "--depth", "a.png", "--out"];
+    for (lesson, arguments, said) in [
+        ("triangles", &["--triangle", "0,0,1,0,0,1", "--model"][..], "cannot be used with '--model"),
+        ("wireframe", &["--fit", "x"], "--fit"),
+        ("zbuffer", &[&same[..], &["a.png"]].concat(), "--depth a.png: the picture itself goes there"),
+        ("zbuffer", &[&same[..], &["./a.png"]].concat(), "name another file"),
+    ] {
+        assert_fails(&run(lesson, folder.path(), arguments), 2, &[said]);
+    }
+    assert_eq!(names(folder.path()), [""; 0]);
+}
+
+/// A name need not be text: the pictures' numbers are put into it as it is.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_turntables_names_keep_their_bytes() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = tempdir().unwrap();
+    let name = OsStr::from_bytes(b"a\xff.png");
+    let mut command = verify::program("camera", folder.path());
+    let output = command
+        .args(["--turntable", "2", "--size", "9x9", "--model", SPHERE, "--texture", CRATE, "--out"])
+        .arg(name)
+        .output();
+    assert!(output.unwrap().status.success());
+    let mut written: Vec<_> =
+        fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    written.sort();
+    assert_eq!(written, [OsStr::from_bytes(b"a\xff-000.png"), OsStr::from_bytes(b"a\xff-001.png")]);
+}
+
+/// Far away or long, what has a direction has one.
+#[test]
+fn directions_may_have_any_length() {
+    let folder = tempdir().unwrap();
+    let draw = |flags: &[&str]| {
+        let scene = ["--model", SPHERE, "--texture", CRATE, "--size", "60x60", "--out", "a.png"];
+        let output = run("camera", folder.path(), &[&scene[..], flags].concat());
+        assert!(output.status.success(), "{flags:?}: {}", String::from_utf8_lossy(&output.stderr));
+        Image::read(&folder.path().join("a.png")).unwrap()
+    };
+    let same = |a: &[&str], b: &[&str]| {
+        let (a, b) = (draw(a), draw(b));
+        assert!(a.pixels().any(|pixel| pixel.2 != Color::BLACK));
+        assert!(a.pixels().zip(b.pixels()).filter(|(a, b)| a.2 != b.2).count() <= 4);
+    };
+    same(&["--up", "1e20,1e20,0"], &["--up", "1,1,0"]);
+    same(&["--up", "1e-30,0,0"], &["--up", "1,0,0"]);
+    same(&["--eye", "0,0,1e20"], &["--eye", "0,0,1e9"]);
+    same(&["--light", "1e-40,1e-40,0"], &["--light", "1,1,0"]);
 }
 
 #[test]
