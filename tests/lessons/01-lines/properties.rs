@@ -4,7 +4,7 @@ use lines::slides::scaled;
 use lines::{METHODS, bresenham, wu};
 use proptest::prelude::*;
 
-use super::{places, visited};
+use crate::{places, visited};
 
 fn point(range: std::ops::RangeInclusive<i32>) -> impl Strategy<Value = IVec2> {
     (range.clone(), range).prop_map(|(x, y)| IVec2::new(x, y))

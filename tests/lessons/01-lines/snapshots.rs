@@ -43,3 +43,9 @@ fn every_method_draws_the_slides_picture() {
 fn a_comparison_shows_what_is_missing_and_what_is_extra() {
     assert_drawn(&LESSON, "compare", &["--compare", "bresenham,listing"]);
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
+}

@@ -7,7 +7,7 @@ use verify::stability::Must::{Exact, Fails};
 use verify::stability::{Case, counted, every_method, some_methods};
 use verify::window;
 
-use super::{places, visited};
+use crate::{places, visited};
 
 /// A segment's ends: x and y of the one, x and y of the other.
 type Ends = [i32; 4];

@@ -1,5 +1,5 @@
 use common::{Attributes, Color, Format, Image, Model};
-use verify::{assert_each_drawn, assert_each_text};
+use verify::{assert_drawn, assert_each_drawn, assert_each_text};
 use wireframe::{LESSON, METHODS};
 
 /// A tetrahedron that touches all four borders.
@@ -19,4 +19,10 @@ fn every_method_draws_a_tetrahedron() {
 #[test]
 fn every_method_draws_the_head() {
     assert_each_drawn(&LESSON, METHODS, &["--size", "300x300"]);
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -38,3 +38,9 @@ fn every_method_draws_the_head_both_ways() {
         }
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
+}

@@ -1,5 +1,5 @@
 use common::{Color, Format, Image, Vec3};
-use verify::{SPHERE, assert_picture, assert_text, draw};
+use verify::{SPHERE, assert_drawn, assert_picture, assert_text, draw};
 use zbuffer::{LESSON, METHODS, Surface};
 
 const GREYS: [f32; 3] = [1.0, 0.6, 0.3];
@@ -51,4 +51,10 @@ fn every_depth_buffer_is_a_picture() {
         let _ = draw("zbuffer", &[&arguments[..], &[depth.to_str().unwrap()]].concat());
         assert_picture(&LESSON, &format!("depth-{}", method.name), &Image::read(&depth).unwrap(), 0);
     }
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -3,7 +3,7 @@ use common::Vec2;
 use proptest::prelude::*;
 use textures::{METHODS, repeat, texel};
 
-use super::labelled;
+use crate::labelled;
 
 /// In the texture and about it, at its borders, and anything else that an f32 can be.
 fn coordinate() -> impl Strategy<Value = f32> {

@@ -1,6 +1,6 @@
 use common::{Attributes, Color, Format, Image, Model, Vec3};
 use textures::{LESSON, METHODS};
-use verify::{CRATE, SPHERE, assert_each_drawn, assert_each_text};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text};
 
 /// A square whose texture coordinates go from -¼ to 1¼: what each method does inside, at the border, beyond.
 #[test]
@@ -24,4 +24,10 @@ fn every_method_draws_a_square() {
 #[test]
 fn every_method_draws_the_sphere() {
     assert_each_drawn(&LESSON, METHODS, &["--size", "200x200", "--model", SPHERE, "--texture", CRATE]);
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -4,7 +4,7 @@ use textures::{LESSON, METHODS, Sampler, texel};
 use verify::stability::Must::{Exact, Fails};
 use verify::stability::{Case, Row, every_method};
 
-use super::labelled;
+use crate::labelled;
 
 /// (u, v), and the size of the texture.
 type Given = ((f32, f32), (u16, u16));

@@ -1,8 +1,8 @@
 use common::{Format, Image, Model, Vec3};
 use gouraud::{LESSON, METHODS};
-use verify::{CRATE, SPHERE, assert_each_drawn, assert_each_text};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text};
 
-use super::{BOTH, draw};
+use crate::{BOTH, draw};
 
 /// An octahedron, lit from the left: `none` has no shape, `flat` has edges, `gouraud` goes round them.
 #[test]
@@ -22,4 +22,10 @@ fn every_method_shades_an_octahedron() {
 fn every_method_draws_the_sphere() {
     let scene = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--light", "-1,1,2"];
     assert_each_drawn(&LESSON, METHODS, &scene);
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

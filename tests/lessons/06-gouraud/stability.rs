@@ -5,7 +5,7 @@ use gouraud::{LESSON, METHODS, corner_normals, intensities};
 use verify::stability::Must::{AtMost, Between};
 use verify::stability::{Case, every_method};
 
-use super::{BOTH, draw};
+use crate::{BOTH, draw};
 
 /// A sphere's bands and sectors, and the light.
 type Given = ([usize; 2], Vec3);

@@ -2,9 +2,7 @@ use camera::{LESSON, METHODS};
 use common::{Color, Format, Image, Vec3};
 use transforms::{place, projection, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_each_drawn, assert_each_text, assert_similar, run};
-
-use crate::transforms::snapshots::letter;
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, assert_similar, letter, run};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -41,4 +39,10 @@ fn the_turntable_goes_around() {
         let picture = Image::read(&folder.path().join(format!("stop-00{n}.png"))).unwrap();
         assert_similar(&LESSON, &format!("turntable-{n}"), &picture);
     }
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -1,6 +1,6 @@
 use common::{Color, Format, Image};
 use shaders::{LESSON, METHODS, SHADERS};
-use verify::{CRATE, SPHERE, assert_similar, draw};
+use verify::{CRATE, SPHERE, assert_drawn, assert_similar, draw};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -47,4 +47,10 @@ fn a_checkered_floor_warps() {
     let scene = ["--shader", "flat-texture", "--model", model, "--texture", texture, "--light", "0,1,0"];
     let picture = draw("shaders", &[&scene[..], &["--eye", "0,0.4,2", "--size", "300x300"]].concat());
     assert_similar(&LESSON, "floor", &picture);
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }
