@@ -60,7 +60,7 @@ fn a_text_without_a_good_face_is_an_error() {
     for (text, expected) in [
         (
             "v nan 0 0\nf 1 1 1",
-            "none of its 1 faces can be used; the first, line 2: corner `1`: vertex 1 is not made of finite numbers",
+            "none of its 1 faces can be used; the first, line 2: corner `1`: vertex 1, in line 1: `nan` is not finite",
         ),
         ("", "there is no face in it; is it an OBJ file?"),
     ] {

@@ -42,6 +42,5 @@ fn every_method_draws_the_head_both_ways() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("triangles", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

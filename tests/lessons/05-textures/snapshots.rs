@@ -1,6 +1,6 @@
 use common::{Attributes, Color, Format, Image, Model, Vec3};
 use textures::{LESSON, METHODS};
-use verify::{CRATE, SPHERE, assert_each_drawn, assert_each_text};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text};
 
 /// A square whose texture coordinates go from -¼ to 1¼: what each method does inside, at the border, beyond.
 #[test]
@@ -29,6 +29,5 @@ fn every_method_draws_the_sphere() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("textures", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

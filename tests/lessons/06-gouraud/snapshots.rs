@@ -1,6 +1,6 @@
 use common::{Format, Image, Model, Vec3};
 use gouraud::{LESSON, METHODS};
-use verify::{CRATE, SPHERE, assert_each_drawn, assert_each_text};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text};
 
 use super::{BOTH, draw};
 
@@ -27,6 +27,5 @@ fn every_method_draws_the_sphere() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("gouraud", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -3,9 +3,7 @@ use transforms::inverse::INVERSES;
 use transforms::rotation::ROTATIONS;
 use transforms::{LESSON, METHODS, place, scale, translate};
 use triangles::fill;
-use verify::{
-    CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, assert_similar, draw, letter,
-};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, letter};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -52,6 +50,5 @@ fn the_sphere_from_three_distances() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("transforms", &["--size", "200x200"]);
-    assert_similar(&LESSON, "default", &picture);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -2,7 +2,7 @@ use camera::{LESSON, METHODS};
 use common::{Color, Format, Image, Vec3};
 use transforms::{place, projection, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_each_drawn, assert_each_text, assert_similar, draw, letter, run};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, assert_similar, letter, run};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -44,6 +44,5 @@ fn the_turntable_goes_around() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("camera", &["--size", "200x200"]);
-    assert_similar(&LESSON, "default", &picture);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }
