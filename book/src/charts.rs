@@ -3,29 +3,20 @@
 //! A table has its file here, named after its lesson, with a [`Chart`]: what is measured, against what, over
 //! which inputs. `CHARTS` lists them; the rest is the same for all.
 
-mod camera;
 mod draw;
 mod figures;
 mod finish;
 mod frame;
 mod frontier;
-mod gouraud;
 mod head;
-mod lines;
 mod machine;
-mod measure;
-mod models;
+pub(crate) mod measure;
+pub(crate) mod models;
 mod needs;
 mod place;
-mod scene;
-mod shaders;
+pub(crate) mod scene;
 mod summary;
-mod table;
-mod textures;
-mod transforms;
-mod triangles;
-mod wireframe;
-mod zbuffer;
+pub(crate) mod table;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -35,6 +26,7 @@ use common::file::write_whole;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
+use crate::lessons;
 use figures::{known_digits, last_digit, three_digits};
 use machine::Machine;
 use measure::{Effort, alternate};
@@ -42,22 +34,22 @@ use table::{Chart, Point, Series, number, rows, write_points, write_rows};
 
 /// The tables of methods, in the order of the lessons.
 const CHARTS: &[Chart] = &[
-    lines::CHART,
-    wireframe::CHART,
-    triangles::CHART,
-    zbuffer::CHART,
-    textures::CHART,
-    gouraud::CHART,
-    transforms::METHODS_CHART,
-    transforms::ROTATIONS_CHART,
-    transforms::INVERSES_CHART,
-    camera::CHART,
-    shaders::METHODS_CHART,
-    shaders::SHADERS_CHART,
+    lessons::lines::charts::CHART,
+    lessons::wireframe::charts::CHART,
+    lessons::triangles::charts::CHART,
+    lessons::zbuffer::charts::CHART,
+    lessons::textures::charts::CHART,
+    lessons::gouraud::charts::CHART,
+    lessons::transforms::charts::METHODS_CHART,
+    lessons::transforms::charts::ROTATIONS_CHART,
+    lessons::transforms::charts::INVERSES_CHART,
+    lessons::camera::charts::CHART,
+    lessons::shaders::charts::METHODS_CHART,
+    lessons::shaders::charts::SHADERS_CHART,
 ];
 
 /// Where the book's charts are.
-const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/charts");
+const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/pages/charts");
 
 /// What says in short which method to take.
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");

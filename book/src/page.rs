@@ -4,7 +4,7 @@
 //! | in a chapter | becomes |
 //! |---|---|
 //! | `$a^2$`, `$$a^2$$` | a formula, in the line or on its own |
-//! | a code block that holds `{{#include PATH:ANCHOR}}` | the code, quoted under its file's name |
+//! | a code block that holds `{{#include PATH:ANCHOR}}`, the path from the repository's root | the code, quoted under its file's name |
 //! | the same with `{{#include PATH:ANCHOR since [PATH:]ANCHOR}}` | with the lines marked that the other lacks |
 //! | `{{figure NAME}} Caption.` | the figure, the rest of the paragraph under it |
 //! | `{{chart NAME}} Caption.` | a chart of `charts/` |
@@ -12,9 +12,10 @@
 //! | `{{ratio TABLE ROW OVER COLUMN}}` | how many times as large it is in one row as in another |
 //! | `{{results TABLE COLUMN=Heading...}}` | columns of the table |
 //! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
+//! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`](crate::quiz) |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -24,28 +25,22 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use regex::Regex;
 
 use crate::fault::Fault;
+use crate::figures::Drawn;
+use crate::lessons::tables;
 use crate::markup::{escaped, guarded};
 use crate::math::mathml;
-use crate::methods::TABLES;
+use crate::quiz;
 use crate::quote::Quote;
 use crate::values::{Table, spelled};
 
-/// A figure as a page needs it.
-pub(crate) struct Shown {
-    /// Its file's name.
-    pub(crate) file: String,
-    /// What it shows, in words.
-    pub(crate) alt: &'static str,
-    /// Width and height on the page.
-    pub(crate) size: (u32, u32),
-}
-
 /// What a page can draw on.
 pub(crate) struct Sources<'a> {
-    /// The folder of the chapters.
-    pub(crate) chapters: &'a Path,
-    /// The figures by name.
-    pub(crate) figures: &'a BTreeMap<&'static str, Shown>,
+    /// The repository, which quoted code is from.
+    pub(crate) root: &'a Path,
+    /// The folder of the charts.
+    pub(crate) charts: &'a Path,
+    /// The figures.
+    pub(crate) figures: &'a [Drawn],
 }
 
 /// A link to another place of the book.
@@ -192,7 +187,7 @@ impl Writer<'_> {
                 "a quoting block holds one line, {{{{#include PATH:ANCHOR}}}}, perhaps with `since ANCHOR`"
             ),
         };
-        let read = |place: &str| Quote::read(self.sources.chapters, place);
+        let read = |place: &str| Quote::read(self.sources.root, place);
         let before = before.as_deref().map(read).transpose()?;
         Ok(read(place)?.html(language, before.as_ref()))
     }
@@ -200,6 +195,7 @@ impl Writer<'_> {
     /// Replaces what stands in double braces outside of code and formulas.
     fn directives(&mut self, elsewhere: &[Range<usize>]) {
         let source = self.source;
+        let mut quizzes = 0;
         for found in DIRECTIVE.captures_iter(source) {
             let whole = found.get_match().range();
             if elsewhere.iter().any(|range| range.start <= whole.start && whole.end <= range.end) {
@@ -210,6 +206,17 @@ impl Writer<'_> {
                 self.figure(kind, name, whole);
                 continue;
             }
+            if words == ["quiz"] {
+                quizzes += 1;
+                let made = ensure_margin(self.is_at_margin(whole.start), "a quiz").and_then(|()| {
+                    quiz::edits(source, whole.start, quizzes).map_err(|error| error.to_string())
+                });
+                match made {
+                    Ok(edits) => self.edits.extend(edits),
+                    Err(message) => self.put(whole, Err(message)),
+                }
+                continue;
+            }
             let made = self.inserted(&words).map_err(|error| format!("{error:#}"));
             self.put(whole, made);
         }
@@ -217,10 +224,10 @@ impl Writer<'_> {
 
     /// What a directive without caption stands for.
     fn inserted(&self, words: &[&str]) -> anyhow::Result<String> {
-        let charts = self.sources.chapters.join("charts");
+        let charts = self.sources.charts;
         Ok(match words {
-            ["value", table, row @ .., column] => spelled(Table::read(&charts, table)?.cell(row, column)?),
-            ["ratio", table, row, over, column] => Table::read(&charts, table)?.ratio(row, over, column)?,
+            ["value", table, row @ .., column] => spelled(Table::read(charts, table)?.cell(row, column)?),
+            ["ratio", table, row, over, column] => Table::read(charts, table)?.ratio(row, over, column)?,
             ["results", table, columns @ ..] => {
                 let named = columns.iter().map(|column| column.split_once('='));
                 let named: Option<Vec<(&str, String)>> =
@@ -230,21 +237,19 @@ impl Writer<'_> {
                     named.context("name two columns or more, as in method=Method error_max=Largest_error")?;
                 let named: Vec<(&str, &str)> =
                     named.iter().map(|(column, name)| (*column, name.as_str())).collect();
-                Table::read(&charts, table)?.markdown(&named)?
+                Table::read(charts, table)?.markdown(&named)?
             }
             ["insert", name] => {
                 let file = charts.join(name).with_extension("md");
                 std::fs::read_to_string(file).with_context(|| format!("there is no charts/{name}.md"))?
             }
             ["methods", name] => {
-                let table = TABLES.iter().find(|table| table.name == *name);
-                let names = || TABLES.iter().map(|table| table.name).collect::<Vec<_>>().join(", ");
-                table.with_context(|| format!("there is no table `{name}`, but {}", names()))?.markdown()
+                let found = tables().find(|(table, _)| table == name).map(|(_, table)| methods(table));
+                let names = || tables().map(|(table, _)| table).collect::<Vec<_>>().join(", ");
+                found.with_context(|| format!("there is no table `{name}`, but {}", names()))?
             }
             ["all-methods"] => {
-                let part =
-                    |table: &crate::methods::Methods| format!("### {}\n\n{}\n", table.job, table.markdown());
-                TABLES.iter().map(part).collect()
+                tables().map(|(_, table)| format!("### {}\n\n{}\n", table.job, methods(table))).collect()
             }
             _ => bail!("`{{{{{}}}}}` means nothing here; book/src/page.rs says what does", words.join(" ")),
         })
@@ -271,24 +276,22 @@ impl Writer<'_> {
     }
 
     fn drawn(&mut self, name: &str) -> Result<String, String> {
-        let Shown { file, alt, size: (width, height) } = self
-            .sources
-            .figures
-            .get(name)
-            .ok_or_else(|| format!("there is no figure `{name}` in book/src/figures/"))?;
+        let drawn = self.sources.figures.iter().find(|drawn| drawn.figure.name == name);
+        let drawn = drawn.ok_or_else(|| format!("there is no figure `{name}`"))?;
         self.page.figures.insert(name.into());
-        let alt = escaped(alt);
+        let (file, (width, height)) = (drawn.file(), drawn.drawing.size());
+        let alt = escaped(drawn.figure.alt);
         Ok(format!("<img src=\"figures/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\">"))
     }
 
     /// A measured chart, which leads to its file: on a telephone it is small.
     fn chart(&self, name: &str) -> Result<String, String> {
-        let (file, folder) = (format!("charts/{name}.svg"), self.sources.chapters.join("charts"));
-        let svg = std::fs::read_to_string(self.sources.chapters.join(&file))
+        let (file, folder) = (format!("charts/{name}.svg"), self.sources.charts);
+        let svg = std::fs::read_to_string(folder.join(format!("{name}.svg")))
             .map_err(|_| format!("there is no {file}: cargo run --release -p book -- charts"))?;
         let (title, [width, height]) =
             chart_title(&svg).ok_or_else(|| format!("{file} has no title or no size"))?;
-        let best = Table::read(&folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
+        let best = Table::read(folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
         let best = if best.is_empty() { best } else { format!(" None beats these in both: {best}.") };
         let alt = escaped(&format!("Chart. {title}.{best}"));
         Ok(format!(
@@ -314,6 +317,13 @@ impl Writer<'_> {
     }
 }
 
+/// A table of methods, as a table in Markdown.
+fn methods(table: &common::Table) -> String {
+    let row = |row: common::Method<()>| format!("| `{}` | {} | {} |\n", row.name, row.promise, row.failure);
+    let rows: String = (table.rows)().into_iter().map(row).collect();
+    format!("| method | what it promises | where it fails |\n|---|---|---|\n{rows}")
+}
+
 /// The words of a chart that are written largest, and its width and height.
 fn chart_title(svg: &str) -> Option<(String, [String; 2])> {
     let document = roxmltree::Document::parse(svg).ok()?;
@@ -336,33 +346,39 @@ fn ensure_margin(at_margin: bool, what: &str) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figures::Figure;
+    use crate::figures::sheet::Sheet;
 
     /// A page of this source in a folder with one lesson file and one table.
     fn page(source: &str) -> Page {
         let folder = tempfile::tempdir().unwrap();
-        let chapters = folder.path().join("chapters");
-        std::fs::create_dir_all(chapters.join("charts")).unwrap();
+        let charts = folder.path().join("charts");
+        std::fs::create_dir_all(&charts).unwrap();
         let code =
             "// ANCHOR: f\nfn f() {\n    g();\n}\n// ANCHOR_END: f\n// ANCHOR: none\n// ANCHOR_END: none\n";
         std::fs::write(folder.path().join("lib.rs"), code).unwrap();
-        std::fs::write(chapters.join("charts/t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
-        let shown = Shown { file: "dot.svg".into(), alt: "A dot.", size: (480, 100) };
-        let figures = BTreeMap::from([("dot", shown)]);
-        expand("book/chapters/x.md", source, &Sources { chapters: &chapters, figures: &figures })
+        std::fs::write(charts.join("t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
+        static DOT: Figure = Figure::new("dot", "A dot.", || Sheet::new((0.0, 0.0), (4.0, 1.0)).finish());
+        let figures = [Drawn { figure: &DOT, drawing: (DOT.draw)().unwrap() }];
+        expand(
+            "book/pages/x.md",
+            source,
+            &Sources { root: folder.path(), charts: &charts, figures: &figures },
+        )
     }
 
     #[test]
     fn everything_has_its_place() {
         let made = page(
             "A {{value t a error}}, {{ratio t a b error}} times $x$.\n\n{{figure dot}} See $y$\nhere.\n\n\
-             ```rust\n{{#include ../lib.rs:f}}\n```\n\n$$a = b$$\n\n{{results t method=Method error=Error}}\n\n\
+             ```rust\n{{#include lib.rs:f}}\n```\n\n$$a = b$$\n\n{{results t method=Method error=Error}}\n\n\
              {{methods 01-lines}}\n\nSee [there](y.md#z).\n",
         );
         assert_eq!(made.faults, []);
         let text = &made.markdown;
         for part in [
             "A 0.5, 2.0 times <math",
-            "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"100\"><figcaption>\n\n See <math",
+            "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"141\"><figcaption>\n\n See <math",
             "here.\n\n</figcaption></figure>",
             "<div class=\"quote-file\">lib.rs</div>\n\n<pre><code class=\"language-rust\">fn f() {\n    g();\n}\n</code>",
             "<div class=\"formula\" tabindex=\"0\"><math",
@@ -379,13 +395,13 @@ mod tests {
     #[test]
     fn every_mistake_is_told_with_file_and_line() {
         for (source, said) in [
-            ("```rust\n{{#include ../lib.rs:g}}\n```", "there is no anchor `g`"),
-            ("```rust\n{{#include ../lib.rs:none}}\n```", "anchor `none` is empty"),
-            ("```rust\n{{#include ../none.rs:f}}\n```", "cannot read ../none.rs"),
-            ("```rust\n{{#include ../lib.rs}}\n```", "names no anchor"),
-            ("```rust\n{{#include ../lib.rs:f since g}}\n```", "there is no anchor `g`"),
-            ("```rust\nlet x;\n{{#include ../lib.rs:f}}\n```", "a quoting block holds one line"),
-            ("{{#include ../lib.rs:f}}", "means nothing here"),
+            ("```rust\n{{#include lib.rs:g}}\n```", "there is no anchor `g`"),
+            ("```rust\n{{#include lib.rs:none}}\n```", "anchor `none` is empty"),
+            ("```rust\n{{#include none.rs:f}}\n```", "cannot read none.rs"),
+            ("```rust\n{{#include lib.rs}}\n```", "names no anchor"),
+            ("```rust\n{{#include lib.rs:f since g}}\n```", "there is no anchor `g`"),
+            ("```rust\nlet x;\n{{#include lib.rs:f}}\n```", "a quoting block holds one line"),
+            ("{{#include lib.rs:f}}", "means nothing here"),
             ("$\\frac{1}{$", "begins or ends no formula"),
             ("$\\nonsense$", "nonsense"),
             ("$$\\nonsense$$", "nonsense"),
@@ -401,14 +417,35 @@ mod tests {
             ("{{insert none}}", "there is no charts/none.md"),
             ("{{methods 99-none}}", "there is no table `99-none`"),
             ("{{nonsense}}", "means nothing here"),
+            ("{{quiz}} Which?", "answers follow its question"),
+            ("Which? {{quiz}}\n\n- (x) a :: b\n- ( ) c :: d", "must begin at the left margin"),
+            ("{{quiz}} Which?\n\n- (x) a :: b", "two answers or more"),
+            ("{{quiz}} Which?\n\n- (x) a :: b\n- (x) c :: d", "one of them right"),
+            ("{{quiz}} Which?\n\n- (x) a :: b\n- ( ) c", "nothing is said about an answer"),
+            ("{{quiz}} Which?\n\n- (x) a :: b\n- (y) c :: d", "begins with `- ( ) `"),
             ("![dot](dot.png)", "show a figure"),
             ("<img src=\"dot.png\">", "show a figure"),
         ] {
             let made = page(&format!("One.\n\n{source}\n"));
             let [fault] = made.faults.as_slice() else { panic!("{source}: {:?}", made.faults) };
-            assert!(fault.to_string().starts_with("book/chapters/x.md:3: "), "{fault}");
+            assert!(fault.to_string().starts_with("book/pages/x.md:3: "), "{fault}");
             assert!(fault.message.contains(said) && !fault.message.contains('\n'), "{source}: {fault}");
             assert!(made.markdown.contains("class=\"fault\""), "{source}");
+        }
+    }
+
+    #[test]
+    fn a_quiz_says_something_about_each_answer() {
+        let made = page("{{quiz}} What is $x$?\n\n- ( ) $y$ :: No.\n  Really.\n- (x) `z` :: Yes.\n\nText.\n");
+        assert_eq!(made.faults, []);
+        let text = &made.markdown;
+        for part in [
+            "<fieldset class=\"quiz\">\n\n What is <math",
+            "\n\n\n<input type=\"radio\" name=\"quiz-1\" id=\"quiz-1-0\"><label for=\"quiz-1-0\"><math",
+            "</math></label><span class=\"why wrong\">No.\n  Really.</span>\n",
+            "<label for=\"quiz-1-1\">`z`</label><span class=\"why right\">Yes.</span>\n\n</fieldset>\n\nText.",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
         }
     }
 

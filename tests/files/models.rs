@@ -1,7 +1,7 @@
 use std::fs;
 
-use common::program::DEFAULT_MODEL;
-use common::{Attributes, Model};
+use common::program::model::DEFAULT_MODEL;
+use common::{Attributes, Color, Image, Model};
 use proptest::prelude::*;
 use tempfile::tempdir;
 use verify::run;
@@ -23,7 +23,7 @@ fn what_is_no_model_is_an_error() {
         ("folder.obj", &["cannot read folder.obj"]),
         ("empty.obj", &["empty.obj: there is no face in it; is it an OBJ file?"]),
         ("points.obj", &["points.obj: there is no face in it"]),
-        (CRATE, &["crate.png: there is no face in it; is it an OBJ file?"]),
+        (CRATE, &["crate.png: it is a PNG picture"]),
         (
             "bad.obj",
             &[
@@ -37,6 +37,178 @@ fn what_is_no_model_is_an_error() {
         }
     }
     assert!(!names(folder.path()).contains(&"out".into()), "nothing was drawn, so no folder was needed");
+}
+
+#[test]
+fn what_is_something_else_is_told() {
+    let folder = tempdir().unwrap();
+    let wide: Vec<u8> = "\u{feff}v 0 0 0\nf 1 1 1\n".encode_utf16().flat_map(u16::to_be_bytes).collect();
+    for (name, bytes, said) in [
+        ("a.obj", &wide[..], "a.obj: it is text in UTF-16: save it as UTF-8"),
+        ("b.obj", b"\x1f\x8b\x08\0\0", "b.obj: it is compressed by gzip: unpack it first"),
+        ("c.obj", b"\r\n<!DOCTYPE html>", "c.obj: it is a page in HTML: download the file itself"),
+        ("d.obj", b"version https://git-lfs.github.com/spec/v1\noid", "d.obj: it is a pointer of Git LFS"),
+    ] {
+        fs::write(folder.path().join(name), bytes).unwrap();
+        assert_fails(&run("zbuffer", folder.path(), &["--model", name]), 1, &[said]);
+    }
+}
+
+#[test]
+fn lines_are_drawn_by_the_lesson_that_draws_lines() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("a.obj"), "v -1 -1 0\nv 1 1 0\nv 1 -1 0\nvt 0 0\nl 1 2 3/1\n").unwrap();
+    let arguments = ["--model", "a.obj", "--size", "9x9", "--out", "a.png"];
+    assert!(run("wireframe", folder.path(), &arguments).status.success());
+    let picture = Image::read(&folder.path().join("a.png")).unwrap();
+    for (x, y, color) in picture.pixels() {
+        assert_eq!(color == Color::WHITE, x == y || x == 8, "({x}, {y})");
+    }
+    let said = "a.obj: there are lines in it and no faces; lesson 2 draws lines: cargo run -p wireframe -- --model a.obj";
+    for lesson in ["triangles", "zbuffer", "textures", "shaders"] {
+        assert_fails(&run(lesson, folder.path(), &arguments), 1, &[said]);
+    }
+}
+
+/// What lies out of view is told with the cure, and the cure cures.
+#[test]
+fn a_model_of_any_size_can_be_brought_into_view() {
+    let folder = tempdir().unwrap();
+    for (name, size) in [("mm.obj", 1000.0), ("small.obj", 0.001)] {
+        let text = format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n");
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let arguments = ["--size", "80x80", "--out", "a.png", "--model"];
+    for lesson in
+        ["wireframe", "triangles", "zbuffer", "textures", "gouraud", "transforms", "camera", "shaders"]
+    {
+        for (name, said) in [
+            (
+                "mm.obj",
+                "mm.obj: it reaches to 1000, and what lies beyond 1 may be out of view: --fit brings it in\n",
+            ),
+            ("small.obj", "small.obj: it reaches to 0.001 only: --fit makes it as large as the view\n"),
+        ] {
+            let output = run(lesson, folder.path(), &[&arguments[..], &[name]].concat());
+            assert!(
+                output.status.success() && String::from_utf8_lossy(&output.stderr).starts_with(said),
+                "{lesson}"
+            );
+            let output = run(lesson, folder.path(), &[&arguments[..], &[name, "--fit"]].concat());
+            let said = format!("{name}: ");
+            assert!(
+                output.status.success() && String::from_utf8_lossy(&output.stderr).starts_with(&said),
+                "{lesson}"
+            );
+            assert!(String::from_utf8_lossy(&output.stderr).contains(" units about ("), "{lesson}");
+            let picture = Image::read(&folder.path().join("a.png")).unwrap();
+            let drawn = picture.pixels().filter(|pixel| pixel.2 != Color::BLACK).count();
+            assert!(drawn >= if lesson == "wireframe" { 80 } else { 400 }, "{lesson} {name}: {drawn} pixels");
+        }
+    }
+    let help = run("wireframe", folder.path(), &["--help"]);
+    assert!(String::from_utf8_lossy(&help.stdout).contains("between -1 and 1 is in view"));
+}
+
+/// z becomes y: what lies flat in the file's xy plane is seen from its edge.
+#[test]
+fn a_model_with_z_up_can_be_put_upright() {
+    let folder = tempdir().unwrap();
+    let text = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 9 0 1\nv 0 0 1\nf 1 2 3 4\nf 1 2 5 6\n";
+    fs::write(folder.path().join("a.obj"), text).unwrap();
+    let rows = |up: &str| {
+        let arguments = ["--model", "a.obj", "--size", "90x90", "--out", "a.png", "--fit", up];
+        assert!(run("wireframe", folder.path(), &arguments).status.success());
+        let picture = Image::read(&folder.path().join("a.png")).unwrap();
+        let lit: Vec<i32> =
+            picture.pixels().filter(|pixel| pixel.2 == Color::WHITE).map(|pixel| pixel.1).collect();
+        lit.iter().max().unwrap() - lit.iter().min().unwrap()
+    };
+    assert!(rows("y") > 50 && rows("z") < 10);
+}
+
+/// A unit cube where surveyors have it is the same picture as one at the origin.
+#[test]
+fn a_model_far_from_the_origin_is_drawn_as_it_is() {
+    let folder = tempdir().unwrap();
+    let cube = |name: &str, [x, y, z]: [f64; 3]| {
+        let mut text = String::new();
+        for n in 0..8 {
+            let [dx, dy, dz] = [n & 1, n >> 1 & 1, n >> 2].map(f64::from);
+            text += &format!("v {:.2} {:.2} {:.2}\n", x + dx, y + dy, z + dz);
+        }
+        text += "vt 0 0\nvt 1 1\nf 1/1 3/1 4/2 2/2\nf 5/1 6/1 8/2 7/2\nf 1/1 2/1 6/2 5/2\nf 3/1 7/1 8/2 4/2\nf 1/1 5/1 7/2 3/2\nf 2/1 4/1 8/2 6/2\n";
+        fs::write(folder.path().join(name), text).unwrap();
+    };
+    let place = [500_000.37, 4_649_776.81, 212.4];
+    cube("near.obj", [0.0; 3]);
+    cube("far.obj", place);
+    let draw = |lesson: &str, model: &str, [x, y, z]: [f64; 3]| {
+        let eye = format!("{},{},{}", x + 1.25, y + 1.5, z + 2.75);
+        let center = format!("{},{},{}", x + 0.5, y + 0.5, z + 0.5);
+        let arguments = [
+            "--model",
+            model,
+            "--texture",
+            CRATE,
+            "--eye",
+            &eye,
+            "--center",
+            &center,
+            "--size",
+            "150x150",
+            "--out",
+            "a.png",
+        ];
+        assert!(run(lesson, folder.path(), &arguments).status.success());
+        Image::read(&folder.path().join("a.png")).unwrap()
+    };
+    for lesson in ["camera", "shaders"] {
+        let (near, far) = (draw(lesson, "near.obj", [0.0; 3]), draw(lesson, "far.obj", place));
+        let differ = near.pixels().zip(far.pixels()).filter(|(a, b)| a.2 != b.2).count();
+        assert!(near.pixels().filter(|pixel| pixel.2 != Color::BLACK).count() > 2000, "{lesson}");
+        assert!(differ <= 10, "{lesson}: {differ} pixels");
+    }
+}
+
+/// A model of one's own has its own texture, or a checker, and never the head's skin; the line says which.
+#[test]
+fn a_model_brings_its_texture() {
+    let folder = tempdir().unwrap();
+    let square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n";
+    let faces = "f 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    fs::write(folder.path().join("own.obj"), format!("mtllib own.mtl\n{square}usemtl red\n{faces}")).unwrap();
+    fs::write(folder.path().join("own.mtl"), "newmtl red\nmap_Kd red.tga\n").unwrap();
+    fs::write(folder.path().join("bare.obj"), format!("{square}{faces}")).unwrap();
+    let mut red = Image::new(1, 1, common::Format::Rgb);
+    red.set(0, 0, Color::RED);
+    red.write(&folder.path().join("red.tga")).unwrap();
+    for lesson in ["textures", "gouraud", "transforms"] {
+        let draw = |model: &str, said: &str| {
+            let output = run(lesson, folder.path(), &["--model", model, "--size", "40x40", "--out", "a.png"]);
+            assert_eq!(String::from_utf8_lossy(&output.stderr), said, "{lesson}");
+            Image::read(&folder.path().join("a.png")).unwrap()
+        };
+        let own = draw("own.obj", "own.obj: its texture is red.tga\n");
+        assert!(own.pixels().all(|pixel| pixel.2 == Color::RED), "{lesson}");
+        let bare = draw(
+            "bare.obj",
+            "bare.obj: drawn with a checker, as it names none; --texture FILE gives it another\n",
+        );
+        let mut colors: Vec<u8> = bare.pixels().map(|pixel| pixel.2.r).collect();
+        colors.sort_unstable();
+        colors.dedup();
+        assert_eq!(colors, [150, 230], "{lesson}");
+    }
+}
+
+#[test]
+fn the_first_face_without_texture_coordinates_is_named() {
+    let folder = tempdir().unwrap();
+    let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0\nf 1/1 2/1 3/1\nf 1 2 3\nf 1/1 2 3\n";
+    fs::write(folder.path().join("a.obj"), text).unwrap();
+    let said = ["a.obj: not every face has texture coordinates", "the first face without them is in line 6"];
+    assert_fails(&run("textures", folder.path(), &["--model", "a.obj"]), 1, &said);
 }
 
 #[test]
@@ -80,7 +252,7 @@ fn an_endless_model_is_refused() {
     assert_fails(
         &run("wireframe", folder.path(), &["--model", "/dev/zero"]),
         1,
-        &["/dev/zero: larger than the 32 MiB that are read"],
+        &["/dev/zero: larger than the 256 MiB that are read"],
     );
 }
 
@@ -102,7 +274,7 @@ proptest! {
         for (normals, uvs) in [(false, false), (true, true)] {
             match Model::parse(&bytes, Attributes { normals, uvs }) {
                 Ok(model) => {
-                    prop_assert!(model.faces().len() > 0);
+                    prop_assert!(model.faces().len() + model.lines().len() > 0);
                     prop_assert!(model.faces().flatten().all(common::Vec3::is_finite));
                     prop_assert!([0, model.faces().len()].contains(&model.face_normals().len()));
                     prop_assert!([0, model.faces().len()].contains(&model.face_uvs().len()));
@@ -146,26 +318,256 @@ fn word() -> impl Strategy<Value = Vec<u8>> {
         1 => any::<u8>().prop_map(|byte| vec![byte])]
 }
 
-/// The worst of files say the most in the fewest bytes: faces of small indices, just more than a power of two,
-/// at which vectors grow.
+/// What a file becomes, and what it says the most with: each takes no more than is kept of it, three times over
+/// for a vector that grows.
 #[test]
 fn reading_takes_bounded_memory() {
     let header = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
     let all = Attributes { normals: true, uvs: true };
-    for (line, wanted, times) in [
-        ("f 1 2 3\n", Attributes::default(), 45),
-        ("f 1/1/1 2/1/1 3/1/1\n", Attributes::default(), 18),
-        ("f 1/1/1 2/1/1 3/1/1\n", all, 19),
-        ("f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3\n", Attributes::default(), 45),
-        ("v 0 0 0\n", all, 6),
-        ("vn 0 0 1\n", Attributes::default(), 1),
-        ("f 1 2\n", all, 1),
+    for (line, wanted, bytes) in [
+        ("f 1 2 3\n", Attributes::default(), 56),
+        ("f 1/1/1 2/1/1 3/1/1\n", Attributes::default(), 56),
+        ("f 1/1/1 2/1/1 3/1/1\n", all, 152),
+        ("f 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3 1 2 3\n", Attributes::default(), 296),
+        ("v 0 0 0\n", all, 64),
+        ("vt 0\n", all, 20),
+        ("vn 0 0 1\n", all, 28),
+        ("vn 0 0 1\n", Attributes::default(), 0),
+        ("f 1 2\n", Attributes::default(), 40),
+        ("f x\n", Attributes::default(), 8),
+        ("l 1 2\n", Attributes::default(), 32),
     ] {
         let text = [header, &line.repeat(33_000), "f 1/1/1 2/1/1 3/1/1\n"].concat();
         let counted = allocation_counter::measure(|| drop(Model::parse(text.as_bytes(), wanted)));
-        let taken = counted.bytes_max as f64 / text.len() as f64;
-        assert!(taken <= f64::from(times), "{line:?}: {taken:.1} times the file's length");
+        let taken = counted.bytes_max as f64 / 33_001.0;
+        assert!(taken <= 3.0 * f64::from(bytes) + 1.0, "{line:?}: {taken:.1} bytes");
     }
+}
+
+/// As many triangles as a large scan has, with all attributes, in whichever form.
+#[test]
+fn a_million_triangles_are_read() {
+    let row = |n: usize| format!("v {n}.123456 1 0\nv {n}.123456 0 1\n");
+    let vertices: String = (0..500_001).map(row).collect();
+    let triangles: String = (0..500_000)
+        .map(|n| 2 * n + 1)
+        .map(|n| format!("f {n}//1 {}//1 {}//1\nf {}//1 {}//1 {n}//1\n", n + 1, n + 3, n + 3, n + 2))
+        .collect();
+    let text = [&vertices, "vn 0 0 1\n", &triangles].concat();
+    let normals = Attributes { normals: true, uvs: false };
+    assert!(text.len() > 36 << 20);
+    let counted = allocation_counter::measure(|| {
+        let model = Model::parse(text.as_bytes(), normals).unwrap();
+        assert_eq!((model.faces().len(), model.face_normals().len()), (1_000_000, 1_000_000));
+    });
+    assert!(counted.bytes_max < 512 << 20, "{} bytes", counted.bytes_max);
+}
+
+/// Within the longest file, a model may take more memory than there should be: it is refused where it does.
+#[test]
+fn a_model_that_takes_too_much_memory_is_refused() {
+    let text = ["v 0 0 0\n", &"f 1 1 1\n".repeat(12_000_000)].concat();
+    let counted = allocation_counter::measure(|| {
+        let reason = Model::parse(text.as_bytes(), Attributes::default()).unwrap_err();
+        assert_eq!(reason, "line 9586981: up to here the model takes the 512 MiB that it may");
+    });
+    assert!(counted.bytes_max < 3 * (512 << 20), "{} bytes", counted.bytes_max);
+}
+
+/// What another reader makes of a file whose faces have texture coordinates, normals, or both. (Of what they do not
+/// have, it gives them the first.)
+fn by_tobj(text: &[u8], has: Attributes) -> Vec<[[f32; 8]; 3]> {
+    let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
+    let (models, _) =
+        tobj::load_obj_buf(&mut &*text, &options, |_| Err(tobj::LoadError::OpenFileFailed)).unwrap();
+    let meshes = models.iter().map(|model| &model.mesh);
+    meshes
+        .flat_map(|mesh| {
+            let get = |list: &[f32], at: u32, size: usize| list[at as usize * size..][..size].to_vec();
+            let or_zero = |has: bool, list: &[f32], indices: &[u32], n: usize, size: usize| {
+                if has { get(list, indices[n], size) } else { vec![0.0; size] }
+            };
+            let corner = |n: usize| {
+                let position = get(&mesh.positions, mesh.indices[n], 3);
+                let uv = or_zero(has.uvs, &mesh.texcoords, &mesh.texcoord_indices, n, 2);
+                let normal = or_zero(has.normals, &mesh.normals, &mesh.normal_indices, n, 3);
+                [position, uv, normal].concat().try_into().unwrap()
+            };
+            (0..mesh.indices.len() / 3).map(|n| [3 * n, 3 * n + 1, 3 * n + 2].map(corner)).collect::<Vec<_>>()
+        })
+        .collect()
+}
+
+/// The same of a model, 0 for what it lacks.
+fn corners(model: &Model) -> Vec<[[f32; 8]; 3]> {
+    let uvs = model.face_uvs().chain(std::iter::repeat([Default::default(); 3]));
+    let normals = model.face_normals().chain(std::iter::repeat([Default::default(); 3]));
+    let faces = model.faces().zip(uvs).zip(normals);
+    faces
+        .map(|((positions, uvs), normals)| {
+            [0, 1, 2].map(|n| {
+                let [p, uv, normal] = [positions[n], uvs[n].extend(0.0), normals[n]].map(|v| v.to_array());
+                [p[0], p[1], p[2], uv[0], uv[1], normal[0], normal[1], normal[2]]
+            })
+        })
+        .collect()
+}
+
+#[test]
+fn the_assets_are_read_as_another_reader_reads_them() {
+    let mut count = 0;
+    for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../assets")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|ending| ending == "obj") {
+            let text = fs::read(&path).unwrap();
+            let all = Attributes { normals: true, uvs: true };
+            assert!(corners(&Model::parse(&text, all).unwrap()) == by_tobj(&text, all), "{}", path.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 4);
+}
+
+/// A file that both read: coordinates, faces of three corners or of four that are convex, all attributes or none.
+fn well_formed() -> impl Strategy<Value = (String, Attributes)> {
+    let number = prop_oneof![
+        (-9_999_999i32..9_999_999).prop_map(|n| format!("{}", f64::from(n) / 1e4)),
+        (-999i32..999, -20i32..20).prop_map(|(n, e)| format!("{n}.5e{e}")),
+        (-99i32..99).prop_map(|n| n.to_string()),
+    ];
+    let face = (prop::collection::vec(0u32..9, 3), any::<bool>());
+    let numbers = prop::collection::vec(number, 9 * 8);
+    (numbers, prop::collection::vec(face, 1..9), 0..4usize, any::<bool>()).prop_map(
+        |(numbers, faces, form, windows)| {
+            let mut lines: Vec<String> =
+                ["# made", "o a", "v 0 0 7", "v 1 0 7", "v 1 1e-3 7", "v 0 1 7"].map(Into::into).into();
+            for n in numbers.chunks(8) {
+                lines.push(format!("v {} {}  {}", n[0], n[1], n[2]));
+                lines.push(format!("vt\t{} {}", n[3], n[4]));
+                lines.push(format!("vn {} {} {} ", n[5], n[6], n[7]));
+            }
+            for (corners, negative) in faces {
+                let index = |n: u32| i64::from(n) + if negative { -9 } else { 1 };
+                let corner = |&n: &u32| {
+                    let [v, vt, vn] = [n, (n + 1) % 9, (n + 5) % 9].map(index);
+                    // Before the other positions there are four of a face of their own.
+                    let v = if negative { v } else { v + 4 };
+                    match form {
+                        0 => format!("{v}"),
+                        1 => format!("{v}/{vt}"),
+                        2 => format!("{v}//{vn}"),
+                        _ => format!("{v}/{vt}/{vn}"),
+                    }
+                };
+                lines.push(format!("f {}", corners.iter().map(corner).collect::<Vec<_>>().join(" ")));
+            }
+            lines.push(
+                ["f 1 2 3 4", "f 1/1 2/1 3/2 4/3", "f 1//1 2//1 3//2 4//3", "f 1/1/1 2/2/2 3/3/3 4/4/4"]
+                    [form]
+                    .into(),
+            );
+            let has = Attributes { uvs: form % 2 == 1, normals: form >= 2 };
+            (lines.join(if windows { "\r\n" } else { "\n" }), has)
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn what_is_well_formed_is_read_as_another_reader_reads_it((text, has) in well_formed()) {
+        let model = Model::parse(text.as_bytes(), Attributes { normals: true, uvs: true }).unwrap();
+        prop_assert_eq!(corners(&model), by_tobj(text.as_bytes(), has));
+    }
+
+    /// A face with one row of corners below another, and each its own distance from the middle: whichever corner
+    /// comes first, wherever its plane lies, just what is inside is covered, once.
+    #[test]
+    fn a_face_of_any_shape_covers_its_inside(
+        outline in outline(),
+        first in any::<prop::sample::Index>(),
+        axes in prop::array::uniform2(prop::array::uniform3(-9i32..=9)),
+        backwards in any::<bool>(),
+    ) {
+        let [a, b] = axes.map(|axis| glam::DVec3::from_array(axis.map(f64::from)));
+        prop_assume!(a.cross(b) != glam::DVec3::ZERO);
+        let mut order: Vec<usize> = (1..=outline.len()).collect();
+        order.rotate_left(first.index(outline.len()));
+        if backwards {
+            order.reverse();
+        }
+        // In whole numbers, so that the plane is met exactly.
+        let mut text = String::new();
+        for &[x, y] in &outline {
+            let p = a * f64::from(x) + b * f64::from(y);
+            text += &format!("v {} {} {}\n", p.x, p.y, p.z);
+        }
+        text += &order.iter().fold("f".to_string(), |line, n| format!("{line} {n}"));
+        let model = Model::parse(text.as_bytes(), Attributes::default()).unwrap();
+        // Back in the plane, by the products with the two axes.
+        let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+        let flat = |p: common::Vec3| {
+            let (pa, pb) = (p.as_dvec3().dot(a), p.as_dvec3().dot(b));
+            [(pa * bb - pb * ab) / (aa * bb - ab * ab), (pb * aa - pa * ab) / (aa * bb - ab * ab)].map(f64::round)
+        };
+        let triangles: Vec<[[f64; 2]; 3]> = model.faces().map(|face| face.map(flat)).collect();
+        for (x, y) in (-20..20).flat_map(|x| (-20..20).map(move |y| (x, y))) {
+            // A point that lies on no line between two whole numbers of this size.
+            let point = [f64::from(x) + 0.123_456_7, f64::from(y) + 0.765_432_1];
+            let outline: Vec<[f64; 2]> = outline.iter().map(|corner| corner.map(f64::from)).collect();
+            let count = triangles.iter().filter(|triangle| is_inside(*triangle, point)).count();
+            prop_assert_eq!(count, usize::from(is_inside(&outline, point)), "{:?}", point);
+        }
+        let turns = |[p, q, r]: [common::Vec3; 3]| (q - p).cross(r - p).as_dvec3().dot(a.cross(b));
+        let area: f64 = signed_area(&outline) * if backwards { -1.0 } else { 1.0 };
+        prop_assert!(model.faces().all(|face| turns(face) * area >= 0.0));
+    }
+}
+
+/// Whether a point is inside an outline, by the even-odd rule.
+fn is_inside(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+    let crossed = sides
+        .filter(|&(&[px, py], &[qx, qy])| (py > y) != (qy > y) && x < px + (y - py) / (qy - py) * (qx - px));
+    crossed.count() % 2 == 1
+}
+
+fn signed_area(outline: &[[i32; 2]]) -> f64 {
+    let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+    sides.map(|(p, q)| f64::from(p[0] * q[1] - q[0] * p[1])).sum()
+}
+
+/// The corners of a face that does not cross itself, counterclockwise: around the middle, each at a distance of
+/// its own; some on one line with their neighbours.
+fn outline() -> impl Strategy<Value = Vec<[i32; 2]>> {
+    const AROUND: [[i32; 2]; 16] = [
+        [4, 0],
+        [4, 1],
+        [4, 2],
+        [3, 4],
+        [0, 4],
+        [-1, 4],
+        [-2, 4],
+        [-4, 3],
+        [-4, 0],
+        [-4, -1],
+        [-4, -2],
+        [-3, -4],
+        [0, -4],
+        [1, -4],
+        [2, -4],
+        [4, -3],
+    ];
+    prop::collection::vec(prop_oneof![2 => Just(4), 3 => 0..5i32], 16).prop_filter_map(
+        "too few",
+        |distances| {
+            let corners = AROUND.iter().zip(distances).filter(|(_, d)| *d > 0);
+            let outline: Vec<[i32; 2]> = corners.map(|(at, d)| at.map(|c| c * d)).collect();
+            // The middle stays inside as long as no three neighbours are missing.
+            let turn = |p: [i32; 2], q: [i32; 2]| p[0] * q[1] - p[1] * q[0];
+            let all = outline.iter().zip(outline.iter().cycle().skip(1)).all(|(&p, &q)| turn(p, q) > 0);
+            (outline.len() >= 3 && all).then_some(outline)
+        },
+    )
 }
 
 #[test]

@@ -9,8 +9,9 @@ use std::process::Command;
 use std::{env, fs, thread};
 
 use checks::picture::faults;
-use common::{Image, Lesson};
-use verify::{LESSONS, run};
+use common::Image;
+use tasks::{COURSE, lessons};
+use verify::run;
 
 /// A model that is read at once: an emulator takes seconds for the head.
 const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/cube.obj");
@@ -35,20 +36,16 @@ fn every_program_draws_the_same_elsewhere() {
     let runner: Vec<_> = variable("RUNNER").split_whitespace().map(String::from).collect();
     let programs = fs::canonicalize(variable("PROGRAMS")).expect("PROGRAMS is a folder");
 
-    // A thread a lesson: an emulated program is slow.
-    let check = |lesson: &Lesson| {
-        let help = run(lesson.name, Path::new("."), &["--help"]).stdout;
-        let cases = cases(lesson, &String::from_utf8_lossy(&help));
-        cases
-            .iter()
-            .try_for_each(|arguments| compare(lesson, arguments, &runner, &programs))
-            .map(|()| cases.len())
+    let folders = lessons(Path::new(COURSE)).expect("the course can be read");
+    let names = folders.iter().map(|folder| folder.split_once('-').expect("number and name").1);
+    let check = |lesson: &str| {
+        let cases = cases(lesson);
+        cases.iter().try_for_each(|case| compare(lesson, case, &runner, &programs)).map(|()| cases.len())
     };
-    let results = thread::scope(|scope| {
-        LESSONS
-            .each_ref()
-            .map(|lesson| scope.spawn(move || check(lesson)))
-            .map(|thread| thread.join().unwrap())
+    // A thread a lesson: an emulated program is slow.
+    let results: Vec<_> = thread::scope(|scope| {
+        let threads: Vec<_> = names.map(|name| scope.spawn(move || check(name))).collect();
+        threads.into_iter().map(|thread| thread.join().expect("a failure is told, not panicked")).collect()
     });
     let faults: Vec<_> =
         results.iter().filter_map(|result| result.as_ref().err()).map(String::as_str).collect();
@@ -57,27 +54,36 @@ fn every_program_draws_the_same_elsewhere() {
 }
 
 /// The command lines to try: none, each method, and what other flags there are.
-fn cases(lesson: &Lesson, help: &str) -> Vec<Vec<&'static str>> {
-    let has = |flag: &str| help.split_whitespace().any(|word| word == flag);
-    let known = |flags: &[(&str, &'static [&'static str])]| {
-        flags.iter().filter(|(flag, _)| has(flag)).map(|(_, arguments)| *arguments).collect::<Vec<_>>()
+fn cases(lesson: &str) -> Vec<Vec<String>> {
+    let ask =
+        |flag| String::from_utf8(run(lesson, Path::new("."), &[flag]).stdout).expect("programs print UTF-8");
+    let (help, list) = (ask("--help"), ask("--list"));
+    let known = |flags: &[(&str, &[&'static str])]| {
+        let has = |flag: &str| help.split_whitespace().any(|word| word == flag);
+        flags
+            .iter()
+            .filter(|(flag, _)| has(flag))
+            .map(|(_, arguments)| arguments.to_vec())
+            .collect::<Vec<_>>()
     };
-    let table = lesson.tables.iter().find(|table| table.name.is_empty()).expect("each lesson has `METHODS`");
-    let methods = (table.rows)().into_iter().map(|row| {
-        [&["--method", row.name, "--size", "240x200"], known(EVERY_METHOD).concat().as_slice()].concat()
-    });
-    let more = known(MORE).into_iter().map(<[_]>::to_vec);
-    [vec![]].into_iter().chain(methods).chain(more).collect()
+    // A method's name stands at the beginning of its line; what is said of it goes on indented.
+    let names = list.lines().filter(|line| !line.starts_with(' ')).filter_map(|line| line.split(' ').next());
+    let methods: Vec<_> = names
+        .map(|name| [vec!["--method", name, "--size", "240x200"], known(EVERY_METHOD).concat()].concat())
+        .collect();
+    assert!(!methods.is_empty(), "{lesson} --list names no method");
+    let all = [vec![vec![]], methods, known(MORE)].concat();
+    all.into_iter().map(|case| case.into_iter().map(String::from).collect()).collect()
 }
 
 /// Draws here and elsewhere, and says in which picture the two differ, and where first.
-fn compare(lesson: &Lesson, arguments: &[&str], runner: &[String], programs: &Path) -> Result<(), String> {
-    let arguments = [arguments, &["--quiet"]].concat();
-    let context = |what: &str| format!("{} {}: {what}", lesson.name, arguments.join(" "));
+fn compare(lesson: &str, case: &[String], runner: &[String], programs: &Path) -> Result<(), String> {
+    let arguments: Vec<&str> = case.iter().map(String::as_str).chain(["--quiet"]).collect();
+    let context = |what: &str| format!("{lesson} {}: {what}", arguments.join(" "));
     let [here, there] = [(); 2].map(|()| tempfile::tempdir().expect("a temporary folder can be made"));
 
-    let native = run(lesson.name, here.path(), &arguments);
-    let program = [lesson.name.into(), format!("{}.exe", lesson.name)].map(|name| programs.join(name));
+    let native = run(lesson, here.path(), &arguments);
+    let program = [lesson.into(), format!("{lesson}.exe")].map(|name| programs.join(name));
     let program = program.iter().find(|path| path.is_file()).ok_or_else(|| context("is not built"))?;
     let foreign = Command::new(&runner[0])
         .args(&runner[1..])

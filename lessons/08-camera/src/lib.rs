@@ -13,8 +13,10 @@
 //! Conventions: the view's origin is the **centre**, so the eye stands at (0, 0, D), with D the distance from
 //! eye to centre, and [`transforms::projection`] of D follows. Light and normals stay in world space.
 
+pub mod flags;
 pub mod turntable;
 
+use common::direction::unit;
 use common::{Lesson, Mat3, Mat4, Method, Table, Vec3};
 use transforms::translate;
 
@@ -26,9 +28,6 @@ pub const LESSON: Lesson = Lesson {
     job: "looking at a point",
     tables: &[Table { name: "", job: "Look at a point", rows: || Method::rows(METHODS) }],
 };
-
-/// What a program says where there is no view.
-pub const ONE_POINT: &str = "--eye and --center are one point: move one of them";
 
 /// The view matrix of an eye that looks at a centre, given eye, centre and up; `None` where there is no
 /// direction from one to the other, as in [`basis`].
@@ -69,13 +68,13 @@ pub fn listing(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat4> {
 // ANCHOR_END: listing
 
 /// The matrix whose rows are the eye's basis. Where up is along the view to within 1e-6, or 0, the world axis
-/// farthest from the view stands in for it. `None` where eye and centre are one point, or less than about
-/// 1e-19 or more than 1e19 apart, as the square of that is no f32.
+/// farthest from the view stands in for it. `None` where eye and centre are one point, or so far apart that the
+/// distance is no f32.
 // ANCHOR: basis
 #[must_use]
 pub fn basis(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat3> {
-    let z = (eye - center).try_normalize()?;
-    let sideways = |up: Vec3| up.normalize_or_zero().cross(z);
+    let z = unit(eye - center)?;
+    let sideways = |up: Vec3| unit(up).unwrap_or_default().cross(z);
     let x = Some(sideways(up)).filter(|x| x.length() > 1e-6).unwrap_or_else(|| sideways(farthest_axis(z)));
     // What is left of an up near the view is rounded, and at right angles to z only nearly: once more.
     let x = x.reject_from_normalized(z).normalize();

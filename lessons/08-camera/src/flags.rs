@@ -1,0 +1,73 @@
+//! Flags of the programs that look at a point, this lesson's and later ones.
+
+use common::direction::length;
+use common::program::{UsageError, values};
+use common::{DVec3, Mat4, Vec3};
+
+use crate::View;
+use crate::turntable::turned;
+
+/// `--eye`, `--center` and `--up`.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct ViewFlags {
+    /// Where the eye is
+    #[arg(long, value_name = "x,y,z", default_value = "1,1,2", value_parser = values::point, allow_hyphen_values = true)]
+    pub eye: DVec3,
+
+    /// The point it looks at, which becomes the middle of the picture
+    #[arg(long, value_name = "x,y,z", default_value = "0,0,0", value_parser = values::point, allow_hyphen_values = true)]
+    pub center: DVec3,
+
+    /// The direction that is up in the picture
+    #[arg(long, value_name = "x,y,z", default_value = "0,1,0", value_parser = values::point, allow_hyphen_values = true)]
+    pub up: DVec3,
+}
+
+impl ViewFlags {
+    /// The point about which the model is read and seen: the world's origin, or the centre where that is farther
+    /// than 1024 from it, as places on maps are. From there on what is left of `f32`'s digits would show: about
+    /// 1/20 px of a picture that is 2 wide. (Seen about the centre, `listing` is right.)
+    #[must_use]
+    pub fn origin(&self) -> DVec3 {
+        if self.center.length() > 1024.0 { self.center } else { DVec3::ZERO }
+    }
+
+    /// Eye and centre, from the [`origin`](Self::origin).
+    fn ends(&self) -> [Vec3; 2] {
+        [self.eye, self.center].map(|end| (end - self.origin()).as_vec3())
+    }
+
+    /// The view matrix about the [`origin`](Self::origin), by one of the lesson's methods.
+    ///
+    /// # Errors
+    /// Where there is no direction from the eye to the centre.
+    pub fn matrix(&self, view: View) -> Result<Mat4, UsageError> {
+        let one_point = || UsageError("--eye and --center are one point: move one of them".into());
+        let [eye, center] = self.ends();
+        view(eye, center, self.up.as_vec3()).ok_or_else(one_point)
+    }
+
+    /// The same at stop `n` of so many on a full turn, to the right, about the centre.
+    #[must_use]
+    pub fn turned(&self, n: u16, stops: u16) -> Self {
+        let share = f32::from(n) / f32::from(stops);
+        let [eye, center] = self.ends();
+        let eye = turned(eye, center, self.up.as_vec3(), share);
+        Self { eye: self.origin() + eye.as_dvec3(), ..*self }
+    }
+
+    /// From the eye to the centre.
+    #[must_use]
+    pub fn distance(&self) -> f32 {
+        let [eye, center] = self.ends();
+        length(eye - center)
+    }
+}
+
+/// `--turntable`, beside `--depth`.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct TurntableFlag {
+    /// Draw this many pictures on a circle around the model, NAME-000 and so on
+    #[arg(id = "turntable", long = "turntable", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=999), conflicts_with_all = ["compare", "depth"])]
+    pub stops: Option<u16>,
+}
