@@ -3,15 +3,16 @@
 use std::process::ExitCode;
 
 use checks::missions::run;
-use checks::missions::shaders::{self as mission, draw};
+use checks::missions::shaders as mission;
 use my_shaders::{Gouraud, Quantized, Texture};
+use shaders::draw;
 use shaders::source::White;
 
 fn main() -> ExitCode {
     let student = mission::Shaders {
-        gouraud: |scene, target| draw(scene, target, White, Gouraud::new(scene)),
-        gouraud_texture: |scene, target| draw(scene, target, Texture::new(scene), Gouraud::new(scene)),
-        quantized: |scene, target| draw(scene, target, White, Quantized::new(scene)),
+        gouraud: |uniforms, target| draw(uniforms, White, Gouraud, target),
+        gouraud_texture: |uniforms, target| draw(uniforms, Texture, Gouraud, target),
+        quantized: |uniforms, target| draw(uniforms, White, Quantized, target),
     };
     run(&mission::MISSION, &student, cfg!(test))
 }
