@@ -2,3 +2,13 @@
 
 pub(crate) mod charts;
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: textures::LESSON,
+    methods: "two lookups as the slides have them, the nearest texel, repetition",
+    picture: "The head with skin and hair",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};

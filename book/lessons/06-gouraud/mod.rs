@@ -2,3 +2,13 @@
 
 pub(crate) mod charts;
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: gouraud::LESSON,
+    methods: "none, flat, Gouraud's",
+    picture: "The head without facets",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};

@@ -2,3 +2,13 @@
 
 pub(crate) mod charts;
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: camera::LESSON,
+    methods: "the slides' view matrix, and the right one",
+    picture: "The head from above and the right",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};
