@@ -52,9 +52,9 @@ const SOLUTIONS: [(&str, &str, &[&str]); 9] = [
     ),
     (
         "09-shaders",
-        "use common::{Color, Image, Model, Vec2};\nuse shaders::Scene;\nuse shaders::source::Source;\n\
+        "use common::{Color, Vec2};\nuse shaders::Uniforms;\nuse shaders::source::Source;\n\
          pub use shaders::lighting::{Gouraud, Quantized};\nuse textures::texel;",
-        &["pub struct Texture", "impl<'a> Texture", "impl Source for Texture"],
+        &["pub struct Texture", "impl Source for Texture"],
     ),
 ];
 
