@@ -11,12 +11,14 @@
 //! ```
 
 mod charts;
+mod check;
 mod fault;
 mod figures;
 mod html;
 mod lessons;
 mod markup;
 mod math;
+mod mdbook;
 mod page;
 #[path = "../pages/mod.rs"]
 mod pages;

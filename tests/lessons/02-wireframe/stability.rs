@@ -1,6 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use common::{Attributes, Color, Format, IVec2, Image, Model, Vec3};
+use verify::SPHERE;
 use wireframe::{METHODS, to_pixel};
 
 type Case = (&'static str, &'static str, Result<(usize, usize, usize), &'static str>);
@@ -73,8 +74,7 @@ fn the_border_belongs_to_the_last_column() {
 /// A closed surface has 3/2 edges a triangle.
 #[test]
 fn on_the_sphere_only_unique_edges_draws_each_edge_once() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
-    let model = Model::read(path.as_ref(), Attributes::default()).unwrap();
+    let model = Model::read(SPHERE.as_ref(), Attributes::default()).unwrap();
     assert_eq!(model.faces().len(), 5000);
     for (method, times) in METHODS.iter().zip([2, 1]) {
         let mut drawn: BTreeMap<BTreeSet<u32>, usize> = BTreeMap::new();

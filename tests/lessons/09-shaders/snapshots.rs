@@ -65,3 +65,10 @@ fn no_size_squashes_the_model() {
         assert!(moved < 90, "{size}: {moved} pixels differ");
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("shaders", &["--size", "200x200"]);
+    assert_similar(&LESSON, "default", &picture);
+}
