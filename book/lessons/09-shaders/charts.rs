@@ -2,12 +2,11 @@
 
 use common::{Format, Image, Method, Vec3};
 use gouraud::corner_normals;
-use shaders::{Choose, METHODS, Render, Rendering, SHADERS, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::{Draw, Framebuffer, Look, METHODS, SHADERS, Uniforms};
 
 use crate::charts::measure::{Effort, Errors, Work};
 use crate::charts::models::{TRIANGLES, USUAL, sphere, texture};
-use crate::charts::scene::{EYE, channels, draw, exact, ideal, scene};
+use crate::charts::scene::{EYE, Subject, channels, draw, exact, ideal};
 use crate::charts::table::{Chart, Quantity, Series, Sizes, Stability};
 use crate::lessons::gouraud::charts::light;
 
@@ -77,30 +76,30 @@ pub(crate) const SHADERS_CHART: Chart = Chart {
 };
 
 /// The look of that name.
-fn look(name: &str) -> &'static Rendering {
+fn look(name: &str) -> &'static Look {
     &Method::find(SHADERS, name).expect("the lesson has this shader").run
 }
 
 /// The drawings of lessons 4, 5 and 6 that shaders must repeat, under an identity view.
-fn earlier(name: &str, scene: &Scene, side: u16) -> Image {
+fn earlier(name: &str, uniforms: &Uniforms, side: u16) -> Image {
     let mut image = Image::new(side, side, Format::Rgb);
-    let texture = scene.texture.expect("the scene has a texture");
+    let texture = uniforms.texture.expect("there is a texture");
     match name {
         "flat" => {
-            let surfaces = zbuffer::surfaces(scene.model, scene.light, &image);
+            let surfaces = zbuffer::surfaces(uniforms.model, uniforms.light, &image);
             zbuffer::z_f32(&surfaces, &mut image);
         }
         "flat-texture" => {
             let nearest = Method::find(textures::METHODS, "nearest").expect("lesson 5 has it");
-            (nearest.run.draw)(scene.model, texture, scene.light, &mut image);
+            (nearest.run.draw)(uniforms.model, texture, uniforms.light, &mut image);
         }
         _ => {
             let gouraud = Method::find(gouraud::METHODS, "gouraud").expect("lesson 6 has it");
             let scene = gouraud::Scene {
-                model: scene.model,
-                normals: scene.normals.clone(),
+                model: uniforms.model,
+                normals: uniforms.normals.to_vec(),
                 texture,
-                light: scene.light,
+                light: uniforms.light,
             };
             (gouraud.run)(&scene, &mut image);
         }
@@ -118,18 +117,12 @@ fn method_errors(effort: Effort) -> Vec<Errors> {
         for name in ["flat", "flat-texture", "gouraud-texture"] {
             // Lesson 6 draws in black what a shader leaves out: they agree where nothing faces away.
             let light = if name == "gouraud-texture" { Vec3::Z } else { light(&mut random) };
-            let side = f32::from(SIDE);
-            let scene = Scene {
-                model,
-                normals: corner_normals(model),
-                texture: Some(&texture),
-                light,
-                to_screen: viewport(side, side, 0.5) * projection(f32::INFINITY),
-                levels: 1,
-            };
-            let expected = earlier(name, &scene, SIDE);
+            let normals = corner_normals(model);
+            let uniforms =
+                Uniforms { normals: &normals, texture: Some(&texture), light, ..Uniforms::new(model) };
+            let expected = earlier(name, &uniforms, SIDE);
             for (method, errors) in METHODS.iter().zip(&mut errors) {
-                let got = draw((method.run)(look(name)), &scene, SIDE);
+                let got = draw((method.run)(look(name)), &uniforms, SIDE);
                 let (largest, mean) = difference(channels(&got.image), channels(&expected), |_| true);
                 errors.add(largest, mean, &[]);
             }
@@ -155,18 +148,19 @@ fn difference(
 }
 
 /// Draws the lesson's sphere again and again, one piece of work for each renderer.
-fn work(renders: impl Iterator<Item = Render>, size: usize) -> Vec<Work> {
+fn work(draws: impl Iterator<Item = Draw>, size: usize) -> Vec<Work> {
     const SIDE: u16 = 800;
     let model = sphere(size);
     let texture: &'static Image = Box::leak(Box::new(texture()));
-    let pixels = |target: &Target| {
+    let pixels = |target: &Framebuffer| {
         target.image.pixels().filter(|&(x, y, _)| target.depths.get(x, y) > f32::NEG_INFINITY).count() as f64
     };
-    renders
+    let subject = Subject::new(model, texture);
+    draws
         .map(|render| {
-            let scene = scene(model, texture, Vec3::Z, EYE, SIDE);
-            let amount = pixels(&draw(render, &scene, SIDE));
-            Work::new(amount, move || draw(render, &scene, SIDE))
+            let subject = subject.clone();
+            let amount = pixels(&draw(render, &subject.seen(Vec3::Z, EYE), SIDE));
+            Work::new(amount, move || draw(render, &subject.seen(Vec3::Z, EYE), SIDE))
         })
         .collect()
 }
@@ -181,16 +175,9 @@ fn shader_work(size: usize, _: Effort) -> Vec<Work> {
 
 /// The mean difference between a drawn sphere and the exact picture, where both show the surface: the largest
 /// and the mean.
-fn off_exact(
-    render: Render,
-    shader: &str,
-    triangles: usize,
-    light: Vec3,
-    eye: Vec3,
-    side: u16,
-) -> (f64, f64) {
+fn off_exact(render: Draw, shader: &str, triangles: usize, light: Vec3, eye: Vec3, side: u16) -> (f64, f64) {
     let (model, texture) = (sphere(triangles), texture());
-    let got = draw(render, &scene(model, &texture, light, eye, side), side);
+    let got = draw(render, &Subject::new(model, &texture).seen(light, eye), side);
     let (textured, tone) = ideal(shader);
     let expected = exact(model, textured.then_some(&texture), light, eye, tone, (side, 1));
     let inside: Vec<bool> = got
@@ -223,7 +210,7 @@ fn shader_errors(effort: Effort) -> Vec<Errors> {
 
 fn shader_stability(effort: Effort) -> Vec<Series> {
     let sectors = [160_usize, 100, 60, 40, 24, 16, 10, 6, 4];
-    let mean = |shader: &Method<Rendering>, sectors: usize| {
+    let mean = |shader: &Method<Look>, sectors: usize| {
         let mut random = effort.random();
         let lights = effort.samples(20);
         let off = |_| {
@@ -249,7 +236,7 @@ fn shader_stability(effort: Effort) -> Vec<Series> {
 /// triangles reach behind the eye and are left out.
 fn method_stability(_: Effort) -> Vec<Series> {
     let heights = [10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
-    let mean = |method: &Method<Choose>, height: f64| {
+    let mean = |method: &Method<fn(&Look) -> Draw>, height: f64| {
         let eye = EYE.normalize() * (1.0 + height) as f32;
         let render = (method.run)(look("gouraud-texture"));
         off_exact(render, "gouraud-texture", 968, EYE.normalize(), eye, 400).1

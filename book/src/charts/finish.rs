@@ -11,7 +11,7 @@ use common::file::write_whole;
 use common::{Image, Vec3};
 use serde::Serialize;
 use serde_json::json;
-use shaders::{METHODS, Render, SHADERS, Scene};
+use shaders::{Draw, METHODS, SHADERS};
 
 use super::draw::{Dot, Speed, speed};
 use super::figures::three_digits;
@@ -19,7 +19,7 @@ use super::frontier::frontier;
 use super::machine::Machine;
 use super::measure::{Effort, Throughput, Work, alternate};
 use super::models::scene_model;
-use super::scene::{EYE, channels, draw, exact, scene};
+use super::scene::{EYE, Subject, channels, draw, exact};
 use super::table::{Quantity, number};
 
 /// The size in which pictures are looked at.
@@ -67,22 +67,23 @@ pub(crate) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyho
     let others = METHODS.iter().filter(|method| method.name != generic.name);
     choices.extend(looks.flat_map(|look| others.clone().map(move |method| (look, method, SIDE))));
 
-    let shown = |render: Render, scene: &Scene, size: u16| {
-        let image = draw(render, scene, size).image;
+    let subject: &'static Subject = Box::leak(Box::new(Subject::new(model, texture)));
+    let drawn = move |render: Draw, size: u16| draw(render, &subject.seen(LIGHT, EYE), size).image;
+    let shown = move |render: Draw, size: u16| {
+        let image = drawn(render, size);
         if size == SIDE { image } else { image.scale(SIDE, SIDE) }
     };
     let mut works = Vec::new();
     let mut differences = Vec::new();
     for (shader, method, size) in &choices {
         let (render, size) = ((method.run)(&shader.run), *size);
-        let scene = scene(model, texture, LIGHT, EYE, size);
-        let image = shown(render, &scene, size);
+        let image = shown(render, size);
         differences.push((rms(&image, &expected), flip(&image, &expected)));
         works.push(if size > SIDE {
             // Averaging is part of this choice; enlarging is left to whoever shows the picture.
-            Work::new(1.0, move || shown(render, &scene, size))
+            Work::new(1.0, move || shown(render, size))
         } else {
-            Work::new(1.0, move || draw(render, &scene, size).image)
+            Work::new(1.0, move || drawn(render, size))
         });
     }
     let found = alternate(&mut works, Duration::from_secs(30), effort);

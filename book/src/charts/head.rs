@@ -4,9 +4,10 @@ use std::path::Path;
 use std::time::Duration;
 
 use common::file::write_whole;
-use common::{Attributes, Method, Model};
+use common::{Attributes, Method, Model, Vec3};
+use gouraud::corner_normals;
 use serde::Serialize;
-use shaders::{SHADERS, Target};
+use shaders::{Framebuffer, SHADERS};
 
 use super::draw::{Line, Lines, lines};
 use super::figures::three_digits;
@@ -47,13 +48,14 @@ fn head(triangles: usize) -> Model {
 pub(super) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyhow::Result<()> {
     let finest = head(FINEST);
     let render = |shader| Method::find(SHADERS, shader).expect("lesson 9 has it").run.generic;
-    let right = draw(render("gouraud"), &front(&finest, SIDE), SIDE);
+    let right = draw(render("gouraud"), &front(&finest, &corner_normals(&finest)), SIDE);
     let (mut rows, mut works) = (Vec::new(), Vec::new());
     for triangles in TRIANGLES {
         let model: &'static Model = Box::leak(Box::new(head(triangles)));
+        let normals: &'static [[Vec3; 3]] = Vec::leak(corner_normals(model));
         for shader in SHADED {
-            let scene = front(model, SIDE);
-            let drawn = draw(render(shader), &scene, SIDE);
+            let seen = front(model, normals);
+            let drawn = draw(render(shader), &seen, SIDE);
             rows.push(Row {
                 shader,
                 triangles: model.faces().len(),
@@ -61,7 +63,7 @@ pub(super) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyho
                 shading_mean: three_digits(shading(&drawn, &right)),
                 ms_median: String::new(),
             });
-            works.push(Work::new(1.0, move || draw(render(shader), &scene, SIDE)));
+            works.push(Work::new(1.0, move || draw(render(shader), &seen, SIDE)));
         }
     }
     let found = alternate(&mut works, Duration::from_secs(12), effort);
@@ -124,13 +126,13 @@ const OUTLINE_AND_SHADING: &[(&str, &str, Error, Quantity)] = &[
 ];
 
 /// Whether something is drawn at a pixel; beside the picture is nothing.
-fn covered(drawn: &Target, x: i32, y: i32) -> bool {
+fn covered(drawn: &Framebuffer, x: i32, y: i32) -> bool {
     drawn.depths.bounds().contains(x, y) && drawn.depths.get(x, y) > f32::NEG_INFINITY
 }
 
 /// The area between two outlines over the length of the right one, in px. Its length is the number of its pixels
 /// with an empty neighbour.
-fn outline(drawn: &Target, right: &Target) -> f64 {
+fn outline(drawn: &Framebuffer, right: &Framebuffer) -> f64 {
     let (mut area, mut length) = (0.0, 0.0);
     for (x, y, _) in right.image.pixels() {
         area += f64::from(u8::from(covered(drawn, x, y) != covered(right, x, y)));
@@ -142,7 +144,7 @@ fn outline(drawn: &Target, right: &Target) -> f64 {
 }
 
 /// The mean difference of what both cover, in grey levels.
-fn shading(drawn: &Target, right: &Target) -> f64 {
+fn shading(drawn: &Framebuffer, right: &Framebuffer) -> f64 {
     let both = drawn.image.pixels().zip(right.image.pixels());
     let both = both.filter(|((x, y, _), _)| covered(drawn, *x, *y) && covered(right, *x, *y));
     let (sum, count) = both.fold((0.0, 0.0), |(sum, count), (got, exact)| {

@@ -7,12 +7,11 @@ use std::time::Duration;
 
 use checks::sphere::intensity;
 use common::file::write_whole;
-use common::{Attributes, Image, Mat4, Method, Model, Vec2, Vec3};
+use common::{Attributes, Method, Model, Vec2, Vec3};
 use gouraud::corner_normals;
 use serde::Serialize;
 use serde_json::json;
-use shaders::{SHADERS, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::{Framebuffer, SHADERS, Uniforms, fit};
 
 use super::draw::{Line, Lines, lines};
 use super::figures::three_digits;
@@ -69,7 +68,7 @@ fn sphere(segments: usize) -> Model {
 
 /// How far the outline of a drawn sphere is from a circle, in px: the largest distance of a pixel's centre that
 /// is on the wrong side, and the area between the two over the circle's length.
-fn outline(drawn: &Target, side: u16) -> [f64; 2] {
+fn outline(drawn: &Framebuffer, side: u16) -> [f64; 2] {
     let radius = f64::from(side) * f64::from(ZOOM);
     let (mut largest, mut area) = (0.0_f64, 0.0);
     for (x, y, _) in drawn.image.pixels() {
@@ -85,7 +84,7 @@ fn outline(drawn: &Target, side: u16) -> [f64; 2] {
 
 /// How far the shading of a drawn sphere is from a smooth one's where both are seen, in grey levels: the largest
 /// difference and the mean.
-fn shading(drawn: &Target, side: u16) -> [f64; 2] {
+fn shading(drawn: &Framebuffer, side: u16) -> [f64; 2] {
     let radius = f64::from(side) * f64::from(ZOOM);
     let light = LIGHT.as_dvec3().normalize();
     let (mut largest, mut sum, mut count) = (0.0_f64, 0.0, 0.0);
@@ -120,11 +119,12 @@ pub(crate) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyho
                 let model: &'static Model = Box::leak(Box::new(sphere(segments)));
                 // Under a light from the eye all that is seen is lit, and so drawn.
                 let smooth = Method::find(SHADERS, "gouraud").expect("lesson 9 has it").run.generic;
-                let lit = Scene { light: Vec3::Z, ..front(model, side) };
+                let normals: &'static [[Vec3; 3]] = Vec::leak(corner_normals(model));
+                let shaded = front(model, normals);
+                let lit = Uniforms { light: Vec3::Z, ..shaded };
                 let [outline_max, outline_mean] = outline(&draw(smooth, &lit, side), side).map(three_digits);
-                let scene = front(model, side);
                 let [shading_max, shading_mean] =
-                    shading(&draw(render, &scene, side), side).map(three_digits);
+                    shading(&draw(render, &shaded, side), side).map(three_digits);
                 let before = SEGMENTS.iter().rev().find(|&&other| other < segments).copied().unwrap_or(0);
                 rows.push(Row {
                     shader,
@@ -138,7 +138,7 @@ pub(crate) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyho
                     ms_median: String::new(),
                     rule: segments as f64 >= needed && (before as f64) < needed,
                 });
-                works.push(Work::new(1.0, move || draw(render, &scene, side)));
+                works.push(Work::new(1.0, move || draw(render, &shaded, side)));
             }
         }
         let found = alternate(&mut works, Duration::from_secs(12), effort);
@@ -166,17 +166,8 @@ pub(crate) fn measure(effort: Effort, machine: &Machine, folder: &Path) -> anyho
 }
 
 /// A model from the front, in parallel projection.
-pub(super) fn front(model: &Model, side: u16) -> Scene<'_> {
-    let size = f32::from(side);
-    let to_screen: Mat4 = viewport(size, size, ZOOM) * projection(f32::INFINITY);
-    Scene {
-        model,
-        normals: corner_normals(model),
-        texture: None::<&Image>,
-        light: LIGHT,
-        to_screen,
-        levels: 1,
-    }
+pub(super) fn front<'a>(model: &'a Model, normals: &'a [[Vec3; 3]]) -> Uniforms<'a> {
+    Uniforms { normals, light: LIGHT, to_clip: fit(ZOOM, Vec2::ONE), ..Uniforms::new(model) }
 }
 
 /// A line of a chart: the error of some rows over time.
