@@ -4,7 +4,6 @@ use checks::visibility::nearest;
 use common::{Color, Format, Image, Model, Vec2, Vec3};
 use verify::stability::Must::{Exact, Fails};
 use verify::stability::{Case, every_method};
-use verify::method;
 use zbuffer::{DepthBuffer, LESSON, METHODS, Surface, surfaces, z_f32};
 
 /// Makes triangles.
