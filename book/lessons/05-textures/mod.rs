@@ -2,3 +2,6 @@
 
 pub(crate) mod charts;
 pub(crate) mod figures;
+
+#[cfg(test)]
+mod answers;
