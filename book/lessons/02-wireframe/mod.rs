@@ -1,5 +1,7 @@
 //! What the book shows of lesson 2, beside its chapter.
 
+#[cfg(test)]
+mod answers;
 pub(crate) mod charts;
 pub(crate) mod figures;
 
