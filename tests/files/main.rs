@@ -2,6 +2,8 @@
 //! nothing half-written. And the assets, made again.
 
 mod assets;
+mod formats;
+mod fuzz;
 mod models;
 mod pictures;
 

@@ -27,7 +27,7 @@ const TABLE: &[Case] = &[
         "nothing good",
         "v nan 0 0\nf 1 1 1",
         Err(
-            "none of its 1 faces can be used; the first, line 2: corner `1`: vertex 1 is not made of finite numbers",
+            "none of its 1 faces can be used; the first, line 2: corner `1`: vertex 1, in line 1: `nan` is not finite",
         ),
     ),
     ("nothing at all", "", Err("there is no face in it; is it an OBJ file?")),
