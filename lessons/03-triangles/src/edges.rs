@@ -63,7 +63,6 @@ pub fn fill(corners: [Vec2; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, 
 ///
 /// What belongs to a side stands at the place of the corner opposite to it, as weights do. Up to ±2¹⁶ px all
 /// these are whole numbers, exact; farther out, the nearest `f64`.
-// ANCHOR: setup
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
     /// The pixels that may be covered: those with their centre in the box about the corners. Never empty.
@@ -84,7 +83,6 @@ pub struct Setup {
     /// Whether the sides are too long for f64.
     wide: bool,
 }
-// ANCHOR_END: setup
 
 /// The pixels of a row that a triangle covers.
 #[derive(Clone, Debug)]
@@ -238,7 +236,6 @@ fn center(x: i64, y: i32) -> Fixed {
 }
 
 /// The cross product of the ways from a point to two others.
-// ANCHOR: cross
 #[inline]
 fn cross(from: Fixed, to: Fixed, point: Fixed, wide: bool) -> f64 {
     let [ax, ay] = [to[0] - from[0], to[1] - from[1]];
@@ -258,7 +255,6 @@ fn wide_cross(a: Fixed, b: Fixed) -> f64 {
 fn edges([a, b, c]: [Fixed; 3], point: Fixed, wide: bool) -> DVec3 {
     DVec3::new(cross(b, c, point, wide), cross(c, a, point, wide), cross(a, b, point, wide))
 }
-// ANCHOR_END: cross
 
 /// Cuts a row's pixels from `first` to `last` down to those on the inner side, where `margin` is what the edge
 /// function at pixel 0 has more than it needs, and `right` what a step adds.

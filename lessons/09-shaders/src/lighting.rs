@@ -5,7 +5,6 @@ use triangles::flat_intensity;
 use crate::Uniforms;
 use crate::shader::Varying;
 
-// ANCHOR: lighting
 /// A way to light a surface.
 pub trait Lighting {
     /// What is the same all over a triangle.
@@ -19,7 +18,6 @@ pub trait Lighting {
     /// The brightness at a pixel: 1 is full, 0 black, below 0 drops the fragment.
     fn intensity(&self, constant: Self::Constant, varying: Self::Varying) -> f32;
 }
-// ANCHOR_END: lighting
 
 /// One brightness a triangle, computed and tested once.
 #[derive(Clone, Copy, Debug, Default)]
