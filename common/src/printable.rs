@@ -4,11 +4,13 @@ use std::fmt::{Display, Formatter, Result, Write};
 use std::path::Path;
 
 /// The text with what would break the line, move the cursor, or turn the writing round written as `\u{…}`.
+#[must_use]
 pub fn printable(text: &str) -> impl Display + '_ {
     Printable(text)
 }
 
 /// A file's name, [printable]; what is no text in it is shown as U+FFFD.
+#[must_use]
 pub fn shown(path: &Path) -> impl Display + '_ {
     Shown(path)
 }

@@ -93,7 +93,7 @@ fn map(mut text: &str) -> &str {
     let mut in_options = false;
     while let Some((word, rest)) = text.split_once(char::is_whitespace) {
         let is_option = word.starts_with('-') && !is_value(word);
-        if !is_option && !(in_options && is_value(word)) {
+        if !(is_option || in_options && is_value(word)) {
             break;
         }
         (in_options, text) = (true, rest.trim_start());
