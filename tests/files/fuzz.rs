@@ -156,7 +156,7 @@ proptest! {
 fn check(model: &Model) -> Result<(), String> {
     let faces = model.faces().len();
     let finite = model.positions().iter().copied().chain(model.face_normals().flatten()).all(Vec3::is_finite)
-        && model.face_uvs().flatten().all(|uv| uv.is_finite());
+        && model.face_uvs().flatten().all(common::Vec2::is_finite);
     let lines = model.lines().iter().flatten().all(|&end| (end as usize) < model.positions().len());
     let whole =
         [0, faces].contains(&model.face_normals().len()) && [0, faces].contains(&model.face_uvs().len());

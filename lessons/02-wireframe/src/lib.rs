@@ -38,7 +38,7 @@ pub const METHODS: &[Method<Wireframe>] = &[
         name: "three-per-triangle",
         run: Wireframe {
             draw: |model, image, color| {
-                three_per_triangle(model, |edge| draw_edge(model, edge, image, color))
+                three_per_triangle(model, |edge| draw_edge(model, edge, image, color));
             },
             visit: |model, visit| three_per_triangle(model, visit),
         },

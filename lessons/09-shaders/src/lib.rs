@@ -212,8 +212,11 @@ pub const SHADERS: &[Method<Look>] = &[
     },
 ];
 
+/// The way in which a look is drawn by one method.
+pub type Call = fn(&Look) -> Draw;
+
 /// The ways to call a shader.
-pub const METHODS: &[Method<fn(&Look) -> Draw>] = &[
+pub const METHODS: &[Method<Call>] = &[
     Method {
         name: "dyn",
         run: |look| look.dynamic,
