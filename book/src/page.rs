@@ -12,7 +12,7 @@
 //! | `{{ratio TABLE ROW OVER COLUMN}}` | how many times as large it is in one row as in another |
 //! | `{{results TABLE COLUMN=Heading...}}` | columns of the table |
 //! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
-//! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`](crate::quiz) |
+//! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`] |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
 
 use std::collections::BTreeSet;
