@@ -10,7 +10,6 @@
 //! cargo run -p book -- pictures              each lesson's picture, into book/chapters/pictures/
 //! ```
 
-mod charts;
 mod fault;
 mod figures;
 mod html;

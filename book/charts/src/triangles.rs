@@ -15,11 +15,12 @@ pub(crate) const CHART: Chart = Chart {
     error: Quantity {
         name: "pixels missing, extra or doubled, in a triangle",
         unit: "px",
-        limit: (0.5, "none at all"),
+        limit: (0.5, "without a wrong pixel"),
     },
     further: &["missing", "extra", "doubled"],
     samples: "random triangles of up to 64 px, half of them with corners on whole pixels",
     exhaustive: false,
+    proved: &["edges"],
     errors,
     timed: "random triangles of 100 px each, in a picture of 1500×1500",
     throughput: "Mpx/s",
@@ -35,6 +36,7 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "holes and doubled pixels", unit: "% of the mesh's", limit: (0.0, "none") },
         measure: stability,
     },
+    wrong: &["outline"],
     advice: &[
         ("edges", "always"),
         ("barycentric", "to explain it, with corners within some 10⁴ px; neighbours that may share pixels"),

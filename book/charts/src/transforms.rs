@@ -11,7 +11,7 @@ use super::measure::{Effort, Errors, Work};
 use super::table::{Chart, Quantity, Series, Sizes, Stability};
 
 /// Half a pixel where a length of 1 takes up half of 800 px.
-const HALF_PIXEL: (f64, &str) = (0.5 / 400.0, "½ px of 800");
+const HALF_PIXEL: (f64, &str) = (0.5 / 400.0, "within ½ px of 800");
 
 pub(crate) const METHODS_CHART: Chart = Chart {
     name: "07-transforms",
@@ -25,6 +25,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     further: &["skew"],
     samples: "10⁶ products of a rotation by a random angle about a coordinate axis",
     exhaustive: false,
+    proved: &[],
     errors: compose_errors,
     timed: "10⁶ products of a rotation",
     throughput: "Mop/s",
@@ -40,6 +41,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         },
         measure: compose_stability,
     },
+    wrong: &[],
     advice: &[
         ("f64", "more than some 10,000 products"),
         ("f32", "fewer"),
@@ -59,6 +61,7 @@ pub(crate) const ROTATIONS_CHART: Chart = Chart {
     further: &[],
     samples: "random axes and angles from -180° to 180°",
     exhaustive: false,
+    proved: &[],
     errors: rotation_errors,
     timed: "1,000 matrices from axis and angle",
     throughput: "Mop/s",
@@ -74,6 +77,7 @@ pub(crate) const ROTATIONS_CHART: Chart = Chart {
         },
         measure: rotation_stability,
     },
+    wrong: &[],
     advice: &[
         ("rodrigues", "an axis and an angle"),
         ("quaternion", "what is stored, interpolated or composed"),
@@ -89,6 +93,7 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
     further: &[],
     samples: "moves × random rotations × scales from ½ to 2 along each axis",
     exhaustive: false,
+    proved: &[],
     errors: inverse_errors,
     timed: "1,000 such matrices",
     throughput: "Mop/s",
@@ -100,6 +105,7 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
         error: Quantity { name: "largest error of an entry", unit: "of the largest", limit: HALF_PIXEL },
         measure: inverse_stability,
     },
+    wrong: &["transpose"],
     advice: &[
         ("cofactors", "anything but rotations with a move: as accurate as elimination, and faster"),
         ("transpose", "rotations with a move: the camera"),

@@ -46,7 +46,7 @@ pub(crate) fn scene_model() -> anyhow::Result<(String, &'static Model, &'static 
 
 /// The crate's side, 256×256 texels.
 pub(crate) fn texture() -> Image {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/crate.png");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/crate.png");
     Image::read(Path::new(path)).expect("the course has a crate.png")
 }
 

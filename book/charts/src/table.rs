@@ -7,8 +7,9 @@ use common::file::write_whole;
 use serde::{Deserialize, Serialize};
 
 use super::figures::{known_digits, three_digits};
-use super::frontier::frontier;
-use super::measure::{Effort, Errors, Throughput, Work};
+use super::frontier::{Figure, frontier};
+use super::measure::{Effort, Errors, Work};
+use super::speed::Speed;
 
 /// A table of methods, and what measures it.
 pub(crate) struct Chart {
@@ -26,18 +27,24 @@ pub(crate) struct Chart {
     pub(crate) samples: &'static str,
     /// Whether no input of the kind is left out, so that a largest error is a maximum, not a lower bound.
     pub(crate) exhaustive: bool,
+    /// Methods of which it is proved that they are exact. Of others a sample without an error is only that.
+    pub(crate) proved: &'static [&'static str],
     /// Measures the errors of each method.
     pub(crate) errors: fn(Effort) -> Vec<Errors>,
     /// What is timed, in one line.
     pub(crate) timed: &'static str,
     /// The unit of throughput, in millions a second.
     pub(crate) throughput: &'static str,
-    /// The work of each method at a size.
+    /// The work of each method at a size; before them, where what calls them takes a share of the time that is not
+    /// negligible, that of a method that does nothing.
     pub(crate) work: fn(usize, Effort) -> Vec<Work>,
     /// The sizes of the work.
     pub(crate) sizes: Sizes,
     /// How methods fail.
     pub(crate) stability: Stability,
+    /// Methods that do another job than the one stated, as the slides' listings with a fault: they are shown, but
+    /// neither stand on the frontier nor push others off it.
+    pub(crate) wrong: &'static [&'static str],
     /// Which method, when: the first one is the usual choice. What is not named is not for use.
     pub(crate) advice: &'static [(&'static str, &'static str)],
 }
@@ -84,30 +91,54 @@ pub(crate) struct Row {
     pub(crate) error_max: String,
     pub(crate) error_mean: String,
     pub(crate) throughput_median: String,
-    pub(crate) throughput_p25: String,
-    pub(crate) throughput_p75: String,
+    /// The slowest build's and the fastest one's.
+    pub(crate) throughput_low: String,
+    pub(crate) throughput_high: String,
     pub(crate) unit: String,
+    /// Whether it does the job that the table states.
+    pub(crate) does_the_job: bool,
     pub(crate) frontier: bool,
-    /// Time for the same work, the fastest method's as the unit.
+    /// Time for the same work, with the fastest method's that does the job as the unit.
     pub(crate) relative_time: String,
+    /// The same in builds for newer processors; empty if there were none.
+    pub(crate) relative_time_v3: String,
     pub(crate) samples: usize,
-    pub(crate) rounds: usize,
+    pub(crate) bursts: usize,
     pub(crate) further: Vec<String>,
 }
 
+impl Row {
+    /// Whether it has no error at all, for whatever input.
+    pub(crate) fn is_exact(&self, chart: &Chart) -> bool {
+        self.error_max == "0" && (chart.exhaustive || chart.proved.contains(&self.method.as_str()))
+    }
+
+    /// What decides about it.
+    pub(crate) fn figure(&self) -> Figure {
+        let speed = [&self.throughput_low, &self.throughput_median, &self.throughput_high];
+        Figure {
+            error: number(&self.error_max),
+            speed: speed.map(|text| number(text)),
+            does_it: self.does_the_job,
+        }
+    }
+}
+
 /// The columns that every table has.
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 13] = [
     "method",
     "error_max",
     "error_mean",
     "throughput_median",
-    "throughput_p25",
-    "throughput_p75",
+    "throughput_low",
+    "throughput_high",
     "unit",
+    "does_the_job",
     "frontier",
     "relative_time",
+    "relative_time_v3",
     "samples",
-    "rounds",
+    "bursts",
 ];
 
 /// A row of a stability or growth table.
@@ -119,30 +150,39 @@ pub(crate) struct Point {
 }
 
 /// The rows of a chart, with the frontier as the printed figures have it.
-pub(crate) fn rows(chart: &Chart, errors: &[Errors], throughputs: &[Throughput]) -> Vec<Row> {
-    let fastest = throughputs.iter().map(|found| found.median).fold(0.0, f64::max);
-    let mut rows: Vec<Row> = (chart.methods)()
-        .into_iter()
-        .zip(errors.iter().zip(throughputs))
-        .map(|(method, (errors, found))| Row {
-            method: method.into(),
-            error_max: three_digits(errors.largest()),
-            error_mean: known_digits(errors.mean(), errors.standard_error()),
-            throughput_median: three_digits(found.median / 1e6),
-            throughput_p25: three_digits(found.p25 / 1e6),
-            throughput_p75: three_digits(found.p75 / 1e6),
-            unit: chart.throughput.into(),
-            frontier: false,
-            relative_time: format!("{:.2}", fastest / found.median),
-            samples: errors.samples(),
-            rounds: found.rounds,
-            further: errors.further().map(three_digits).collect(),
-        })
-        .collect();
-    let figures: Vec<(f64, f64)> =
-        rows.iter().map(|row| (number(&row.error_max), number(&row.throughput_median))).collect();
+pub(crate) fn rows(chart: &Chart, errors: &[Errors], speeds: &[Speed]) -> Vec<Row> {
+    let methods = (chart.methods)();
+    let does_it = |n: usize| !chart.wrong.contains(&methods[n]);
+    let fastest = |rate: fn(&Speed) -> f64| {
+        let rates = speeds.iter().enumerate().filter(|(n, _)| does_it(*n) && errors[*n].largest().is_finite());
+        rates.map(|(_, speed)| rate(speed)).fold(0.0, f64::max)
+    };
+    let [any, newer] = [fastest(|speed| speed.median), fastest(|speed| speed.newer.unwrap_or(0.0))];
+    let row = |(n, (errors, speed)): (usize, (&Errors, &Speed))| Row {
+        method: methods[n].into(),
+        error_max: three_digits(errors.largest()),
+        error_mean: known_digits(errors.mean(), errors.standard_error()),
+        throughput_median: three_digits(speed.median / 1e6),
+        throughput_low: three_digits(speed.low / 1e6),
+        throughput_high: three_digits(speed.high / 1e6),
+        unit: chart.throughput.into(),
+        does_the_job: does_it(n),
+        frontier: false,
+        relative_time: ratio(any / speed.median),
+        relative_time_v3: speed.newer.map_or(String::new(), |rate| ratio(newer / rate)),
+        samples: errors.samples(),
+        bursts: speed.bursts,
+        further: errors.further().map(three_digits).collect(),
+    };
+    let mut rows: Vec<Row> = errors.iter().zip(speeds).enumerate().map(row).collect();
+    let figures: Vec<Figure> = rows.iter().map(Row::figure).collect();
     rows.iter_mut().zip(frontier(&figures)).for_each(|(row, best)| row.frontier = best);
     rows
+}
+
+/// A ratio of times: two digits behind the point, or three digits.
+fn ratio(ratio: f64) -> String {
+    if ratio < 10.0 { format!("{ratio:.2}") } else { three_digits(ratio) }
 }
 
 /// A printed figure. What is none counts as infinite.
@@ -155,20 +195,22 @@ pub(crate) fn write_rows(rows: &[Row], further: &[&str], path: &Path) -> anyhow:
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(COLUMNS.iter().chain(further))?;
     for row in rows {
-        let [frontier, samples, rounds] =
-            [row.frontier.to_string(), row.samples.to_string(), row.rounds.to_string()];
-        let shared = [
+        let [does_the_job, frontier] = [row.does_the_job, row.frontier].map(|is| is.to_string());
+        let [samples, bursts] = [row.samples, row.bursts].map(|count| count.to_string());
+        let shared: [&String; COLUMNS.len()] = [
             &row.method,
             &row.error_max,
             &row.error_mean,
             &row.throughput_median,
-            &row.throughput_p25,
-            &row.throughput_p75,
+            &row.throughput_low,
+            &row.throughput_high,
             &row.unit,
+            &does_the_job,
             &frontier,
             &row.relative_time,
+            &row.relative_time_v3,
             &samples,
-            &rounds,
+            &bursts,
         ];
         writer.write_record(shared.into_iter().chain(&row.further))?;
     }
@@ -188,17 +230,26 @@ pub(crate) fn read_rows(path: &Path) -> anyhow::Result<Vec<Row>> {
             error_max: cell(1),
             error_mean: cell(2),
             throughput_median: cell(3),
-            throughput_p25: cell(4),
-            throughput_p75: cell(5),
+            throughput_low: cell(4),
+            throughput_high: cell(5),
             unit: cell(6),
-            frontier: cell(7) == "true",
-            relative_time: cell(8),
-            samples: count(9)?,
-            rounds: count(10)?,
+            does_the_job: cell(7) == "true",
+            frontier: cell(8) == "true",
+            relative_time: cell(9),
+            relative_time_v3: cell(10),
+            samples: count(11)?,
+            bursts: count(12)?,
             further: (COLUMNS.len()..record.len()).map(cell).collect(),
         });
     }
     Ok(rows)
+}
+
+/// Reads points again.
+pub(crate) fn read_points(path: &Path) -> anyhow::Result<Vec<Point>> {
+    let mut reader = csv::Reader::from_path(path).with_context(|| path.display().to_string())?;
+    // The columns have other names in each kind of file.
+    reader.records().map(|record| Ok(record?.deserialize(None)?)).collect()
 }
 
 /// Writes points as CSV under these names of columns.

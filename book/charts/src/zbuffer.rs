@@ -14,11 +14,12 @@ pub(crate) const CHART: Chart = Chart {
     job: "Lesson 4, the nearest surface",
     methods: || METHODS.iter().map(|method| method.name).collect(),
     error: Quantity {
-        name: "pixels that show another surface", unit: "%", limit: (0.01, "1 px in 100×100")
+        name: "pixels that show another surface", unit: "%", limit: (0.01, "within 1 px of 100×100")
     },
     further: &[],
     samples: "scenes of 12 random triangles that cut each other, 40×40 px",
     exhaustive: false,
+    proved: &[],
     errors,
     timed: "spheres of 5,000 triangles, those that face the light, in a picture of 800×800",
     throughput: "Mpx/s",
@@ -30,6 +31,7 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "pixels that show the farther one", unit: "%", limit: (0.0, "none") },
         measure: stability,
     },
+    wrong: &[],
     advice: &[
         ("z-f32", "always, unless memory is short"),
         ("z24", "with near and far known: as good, and leaves 8 bits"),

@@ -20,24 +20,30 @@ pub(crate) struct Machine {
     effort: Effort,
 }
 
+/// What a commit is called where the sources are not just those.
+const CHANGED: &str = ", changed";
+
 impl Machine {
-    /// This one, now.
-    pub(crate) fn find(effort: Effort) -> anyhow::Result<Self> {
+    /// This one, now; with programs that were built so many times.
+    pub(crate) fn find(effort: Effort, placements: usize) -> anyhow::Result<Self> {
         let cargo = std::env::var_os("CARGO").map(std::path::PathBuf::from).unwrap_or_default();
         let compiler = told_by(&mut Command::new(cargo.with_file_name("rustc")), &["--version"])
             .or_else(|_| told_by(&mut Command::new("rustc"), &["--version"]))
             .unwrap_or_else(|_| "unknown compiler".into());
         let compiler = compiler.split(" (").next().unwrap_or_default().to_string();
-        let rustflags = std::env::var("RUSTFLAGS").unwrap_or_default();
-        let flags = ["release, opt-level 3", &rustflags].join(" ").trim().to_string();
+        let flags = format!(
+            "{} --release, codegen-units = 1, {}",
+            std::env::consts::ARCH,
+            if placements == 1 { "1 build".into() } else { format!("{placements} builds with functions in other places") }
+        );
         // Without git, as in an archive, there is no commit to name.
         let git = |arguments: &[&str]| {
             told_by(Command::new("git").current_dir(env!("CARGO_MANIFEST_DIR")), arguments)
         };
-        let changed = git(&["status", "--porcelain", "--untracked-files=no", "--", "..", ":!chapters"]);
+        let changed = git(&["status", "--porcelain", "--untracked-files=no", "--", "../..", ":!../chapters/charts", ":!../../README.md"]);
         let commit = match (git(&["rev-parse", "--short", "HEAD"]), changed) {
             (Ok(commit), Ok(changed)) if changed.is_empty() => commit,
-            (Ok(commit), _) => format!("{commit}, changed"),
+            (Ok(commit), _) => commit + CHANGED,
             _ => "unknown".into(),
         };
         Ok(Self {
@@ -51,12 +57,21 @@ impl Machine {
         })
     }
 
+    /// Makes sure that the figures can be measured again.
+    pub(crate) fn ensure_reproducible(&self) -> anyhow::Result<()> {
+        anyhow::ensure!(
+            !self.commit.ends_with(CHANGED),
+            "the book's charts name the commit that they were measured at: commit what you changed, or give --out"
+        );
+        Ok(())
+    }
+
     /// In one line.
     pub(crate) fn caption(&self) -> String {
         let Self { processor, system, compiler, flags, commit, date, effort } = self;
-        let quick = if effort.quick { " · QUICK RUN: figures are rough" } else { "" };
+        let quick = if effort.quick { "; QUICK RUN: figures are rough" } else { "" };
         format!(
-            "{processor}, {system} · {compiler}, {flags} · seed {} · commit {commit} · {date}{quick}",
+            "{processor}, {system}, {compiler}, {flags}; seed {}, commit {commit}, {date}{quick}.",
             effort.seed
         )
     }

@@ -18,11 +18,12 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     error: Quantity {
         name: "difference from lessons 4 to 6",
         unit: "grey levels of 255",
-        limit: (0.5, "½ level"),
+        limit: (0.5, "within ½ level"),
     },
     further: &[],
     samples: "spheres of 18 to 5,000 triangles under random lights, as lessons 4 to 6 draw them",
     exhaustive: false,
+    proved: &[],
     errors: method_errors,
     timed: "the textured Gouraud sphere of 5,000 triangles in a picture of 800×800",
     throughput: "Mpx/s",
@@ -38,6 +39,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         },
         measure: method_stability,
     },
+    wrong: &[],
     advice: &[
         ("generic", "always, unless shaders are loaded while the program runs"),
         ("dyn", "shaders that are not known when the program is compiled"),
@@ -51,11 +53,12 @@ pub(crate) const SHADERS_CHART: Chart = Chart {
     error: Quantity {
         name: "difference from a smooth surface",
         unit: "grey levels of 255",
-        limit: (0.5, "½ level"),
+        limit: (0.5, "within ½ level"),
     },
     further: &[],
     samples: "a sphere of 5,000 triangles from the lesson's eye, random lights within 20° of it, 200×200 px",
     exhaustive: false,
+    proved: &[],
     errors: shader_errors,
     timed: "such a sphere in a picture of 800×800, by the generic method",
     throughput: "Mpx/s",
@@ -67,6 +70,7 @@ pub(crate) const SHADERS_CHART: Chart = Chart {
         error: Quantity { name: "mean difference", unit: "grey levels of 255", limit: (5.0, "5 levels") },
         measure: shader_stability,
     },
+    wrong: &["quantized"],
     advice: &[
         ("gouraud-texture", "round things with a texture"),
         ("flat", "flat faces, previews"),

@@ -23,6 +23,24 @@ pub(crate) fn known_digits(mean: f64, standard_error: f64) -> String {
     to_unit(shown, certain.max(exponent(shown) - 2))
 }
 
+/// A figure in a sentence: powers of ten as such, no more than two digits.
+pub(crate) fn readable(value: f64) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
+        let digits = (1 - exponent(value)).max(0) as usize;
+        let text = format!("{value:.digits$}");
+        return if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text };
+    }
+    let text = format!("{value:.1e}");
+    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let power: String =
+        power.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])).collect();
+    match mantissa.trim_end_matches(".0") {
+        "1" => format!("10{power}"),
+        mantissa => format!("{mantissa}·10{power}"),
+    }
+}
+
 /// What the last printed digit stands for.
 pub(crate) fn last_digit(text: &str) -> f64 {
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
@@ -61,6 +79,12 @@ mod tests {
             texts.map(three_digits),
             ["0", "1230", "0.500", "100.0", "0.00123", "0.001000", "5.96e-8", "1.23e5", "inf"]
         );
+    }
+
+    #[test]
+    fn a_sentence_has_short_figures() {
+        let texts = [0.0, 3.0, 26.0, 0.25, 46_416.0, 1e5, 3.2e-4, 1e-6].map(readable);
+        assert_eq!(texts, ["0", "3", "26", "0.25", "46416", "10⁵", "3.2·10⁻⁴", "10⁻⁶"]);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::table::{Chart, Quantity, Series, Sizes, Stability};
 /// The side of the picture that segments are drawn into.
 const SIDE: i32 = 1000;
 
-const HALF: (f64, &str) = (0.5, "½ px: the nearest pixel");
+const HALF: (f64, &str) = (0.5, "within ½ px");
 
 pub(crate) const CHART: Chart = Chart {
     name: "01-lines",
@@ -21,6 +21,7 @@ pub(crate) const CHART: Chart = Chart {
     further: &["steps_without_pixel_%", "ends_missed", "reversed_differs_%"],
     samples: "random segments of 1 to 999 px in all directions",
     exhaustive: false,
+    proved: &[],
     errors,
     timed: "such segments of 100 px, in a picture of 1000×1000",
     throughput: "Mpx/s",
@@ -32,6 +33,7 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "largest distance", unit: "px", limit: (1.0, "1 px") },
         measure: stability,
     },
+    wrong: &["step-0.1", "step-0.01", "per-column", "listing"],
     advice: &[
         ("bresenham", "always, unless the line must be smooth: exact, any ends, free outside the picture"),
         ("wu", "where stairs would show"),
