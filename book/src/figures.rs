@@ -3,18 +3,7 @@
 //! A figure is a row of a table `FIGURES` in the file of its chapter: a name, what a reader who cannot see it
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
-mod camera;
-mod front;
-mod gouraud;
-mod lines;
-mod shaders;
-mod sheet;
-mod textures;
-mod transforms;
-mod triangles;
-mod wireframe;
-mod wrong;
-mod zbuffer;
+pub(crate) mod sheet;
 
 use std::panic::Location;
 use std::path::Path;
@@ -23,22 +12,23 @@ use common::compare::side_by_side;
 use common::program::{DEFAULT_MODEL, DEFAULT_TEXTURE};
 use common::{Attributes, Image, Model};
 
+use crate::{lessons, pages};
 use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
     [
-        front::FIGURES,
-        lines::FIGURES,
-        wireframe::FIGURES,
-        triangles::FIGURES,
-        zbuffer::FIGURES,
-        textures::FIGURES,
-        gouraud::FIGURES,
-        transforms::FIGURES,
-        camera::FIGURES,
-        shaders::FIGURES,
-        wrong::FIGURES,
+        pages::front::FIGURES,
+        lessons::lines::figures::FIGURES,
+        lessons::wireframe::figures::FIGURES,
+        lessons::triangles::figures::FIGURES,
+        lessons::zbuffer::figures::FIGURES,
+        lessons::textures::figures::FIGURES,
+        lessons::gouraud::figures::FIGURES,
+        lessons::transforms::figures::FIGURES,
+        lessons::camera::figures::FIGURES,
+        lessons::shaders::figures::FIGURES,
+        pages::wrong::FIGURES,
     ]
     .into_iter()
     .flatten()
@@ -58,23 +48,27 @@ pub(crate) struct Figure {
 
 impl Figure {
     #[track_caller]
-    const fn new(name: &'static str, alt: &'static str, draw: fn() -> anyhow::Result<Drawing>) -> Self {
+    pub(crate) const fn new(
+        name: &'static str,
+        alt: &'static str,
+        draw: fn() -> anyhow::Result<Drawing>,
+    ) -> Self {
         Self { name, alt, draw, row: Location::caller() }
     }
 }
 
 /// The lessons' model, with all that it has.
-fn model() -> anyhow::Result<Model> {
+pub(crate) fn model() -> anyhow::Result<Model> {
     Ok(Model::read(Path::new(DEFAULT_MODEL), Attributes { normals: true, uvs: true })?)
 }
 
 /// The head's texture.
-fn texture() -> anyhow::Result<Image> {
+pub(crate) fn texture() -> anyhow::Result<Image> {
     Ok(Image::read(Path::new(DEFAULT_TEXTURE))?)
 }
 
 /// Pictures side by side, as wide as a page.
-fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
+pub(crate) fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
     const WIDTH: u16 = 900;
     let sheet = side_by_side(pictures).map_err(anyhow::Error::msg)?;
     let height = sheet.height() * i32::from(WIDTH) / sheet.width().max(1);

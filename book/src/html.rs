@@ -7,13 +7,12 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use anyhow::{Context, bail, ensure};
 use mdbook_driver::MDBook;
-use mdbook_driver::book::BookItem;
 use mdbook_driver::config::Config;
 use regex::Regex;
 
 use crate::fault::Fault;
 use crate::figures::{self, Drawing, Figure};
-use crate::page::{Link, Page, Shown, Sources, expand};
+use crate::page::{Link, Shown, Sources, expand};
 
 /// The book's own folder.
 const BOOK: &str = env!("CARGO_MANIFEST_DIR");
@@ -61,40 +60,58 @@ fn write(drawings: &Drawings, folder: &Path) -> anyhow::Result<()> {
 
 /// Writes the pages of a book, and returns what is wrong with them.
 fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fault>> {
-    let chapters = book.join("chapters");
     let shown = |drawn: &(&'static Figure, Drawing)| {
         (drawn.0.name, Shown { file: file_name(drawn), alt: drawn.0.alt, size: drawn.1.size() })
     };
     let figures: BTreeMap<&str, Shown> = drawings.iter().map(shown).collect();
-    let sources = Sources { chapters: &chapters, figures: &figures };
+    let charts = book.join("pages/charts");
+    let sources = Sources { root: &book.join(".."), charts: &charts, figures: &figures };
+    let written = written(book)?;
+    let mut made = BTreeMap::new();
+    for (name, file) in &written {
+        let text = std::fs::read_to_string(book.join(file))?;
+        made.insert(name.clone(), expand(&in_repository(file), &text, &sources));
+    }
 
+    // mdBook wants all its pages in one folder.
+    let staged = tempfile::tempdir()?;
+    for (name, page) in &made {
+        std::fs::write(staged.path().join(name), &page.markdown)?;
+    }
+    std::fs::copy(book.join("pages/SUMMARY.md"), staged.path().join("SUMMARY.md"))?;
+    if charts.is_dir() {
+        copy(&charts, &staged.path().join("charts"))?;
+    }
     let mut config = Config::from_disk(book.join("book.toml"))?;
+    config.book.src = staged.path().into();
     config.build.build_dir = std::path::absolute(out)?;
-    let mut mdbook = MDBook::load_with_config(book, config)?;
-    let mut made: Vec<(PathBuf, Page)> = Vec::new();
-    mdbook.book.for_each_mut(|item| {
-        if let BookItem::Chapter(chapter) = item
-            && let Some(path) = &chapter.path
-        {
-            let mut page = expand(&in_repository(path), &chapter.content, &sources);
-            chapter.content = std::mem::take(&mut page.markdown);
-            made.push((path.clone(), page));
-        }
-    });
+    let mdbook = MDBook::load_with_config(book, config)?;
+    let listed: BTreeSet<PathBuf> =
+        mdbook.book.chapters().filter_map(|chapter| chapter.path.clone()).collect();
     if let Err(error) = render(&mdbook) {
         // What it stumbles over is likely one of the mistakes that we know by their lines.
-        let faults: Vec<Fault> = made.into_iter().flat_map(|(_, page)| page.faults).collect();
+        let faults: Vec<Fault> = made.into_values().flat_map(|page| page.faults).collect();
         return if faults.is_empty() { Err(error) } else { Ok(faults) };
     }
 
-    let mut faults = unlisted(&chapters, &made)?;
-    let pages = read_pages(out, &made)?;
-    for (path, page) in &mut made {
+    let mut faults = Vec::new();
+    let pages = read_pages(out, &listed)?;
+    for (name, page) in &mut made {
+        let file = &written[name];
         faults.append(&mut page.faults);
-        faults.extend(broken_links(path, &page.links, &pages, &chapters));
-        faults.extend(leftovers(path, &pages[&path.with_extension("html")]));
+        match pages.get(&name.with_extension("html")) {
+            Some(html) => {
+                faults.extend(broken_links(file, name, &page.links, &pages, staged.path()));
+                faults.extend(leftovers(&book.join(file), file, html));
+            }
+            None => faults.push(Fault {
+                file: in_repository(file),
+                line: 1,
+                message: "SUMMARY.md does not list this page".into(),
+            }),
+        }
     }
-    let used: BTreeSet<&str> = made.iter().flat_map(|(_, page)| &page.figures).map(String::as_str).collect();
+    let used: BTreeSet<&str> = made.values().flat_map(|page| &page.figures).map(String::as_str).collect();
     faults.extend(drawings.iter().filter(|drawn| !used.contains(drawn.0.name)).map(|(figure, _)| Fault {
         file: figure.row.file().replace('\\', "/"),
         line: figure.row.line() as usize,
@@ -104,9 +121,35 @@ fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fau
     Ok(faults)
 }
 
-/// A chapter's path from the repository's root.
-fn in_repository(chapter: &Path) -> String {
-    format!("book/chapters/{}", chapter.display()).replace('\\', "/")
+/// The pages as they are written: their names in the book, and their files from the book's folder.
+fn written(book: &Path) -> anyhow::Result<BTreeMap<PathBuf, PathBuf>> {
+    let mut written = BTreeMap::new();
+    for entry in std::fs::read_dir(book.join("pages"))? {
+        let name = PathBuf::from(entry?.file_name());
+        if name.extension().is_some_and(|ending| ending == "md") && name != Path::new("SUMMARY.md") {
+            written.insert(name.clone(), Path::new("pages").join(name));
+        }
+    }
+    for entry in std::fs::read_dir(book.join("lessons")).into_iter().flatten() {
+        let lesson = PathBuf::from(entry?.file_name());
+        written.insert(lesson.with_extension("md"), Path::new("lessons").join(&lesson).join("chapter.md"));
+    }
+    Ok(written)
+}
+
+/// Copies the files of a folder.
+fn copy(from: &Path, to: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir(to)?;
+    for entry in std::fs::read_dir(from)? {
+        let entry = entry?;
+        std::fs::copy(entry.path(), to.join(entry.file_name()))?;
+    }
+    Ok(())
+}
+
+/// A page's path from the repository's root.
+fn in_repository(file: &Path) -> String {
+    format!("book/{}", file.display()).replace('\\', "/")
 }
 
 /// Lets mdBook write its pages. What it would only warn of is an error.
@@ -143,48 +186,34 @@ impl Write for Warnings {
     }
 }
 
-/// Chapters that the table of contents leaves out.
-fn unlisted(chapters: &Path, made: &[(PathBuf, Page)]) -> anyhow::Result<Vec<Fault>> {
-    let mut faults = Vec::new();
-    for entry in std::fs::read_dir(chapters)? {
-        let name = PathBuf::from(entry?.file_name());
-        let is_page =
-            name.extension().is_some_and(|ending| ending == "md") && name != Path::new("SUMMARY.md");
-        if is_page && made.iter().all(|(path, _)| *path != name) {
-            let message = "SUMMARY.md does not list this chapter".into();
-            faults.push(Fault { file: in_repository(&name), line: 1, message });
-        }
-    }
-    Ok(faults)
-}
-
-/// The pages as written, by their path in the book.
-fn read_pages(out: &Path, made: &[(PathBuf, Page)]) -> anyhow::Result<BTreeMap<PathBuf, String>> {
-    let read = |(path, _): &(PathBuf, Page)| {
-        let path = path.with_extension("html");
+/// The pages as built, by their path in the book.
+fn read_pages(out: &Path, listed: &BTreeSet<PathBuf>) -> anyhow::Result<BTreeMap<PathBuf, String>> {
+    let read = |name: &PathBuf| {
+        let path = name.with_extension("html");
         let text = std::fs::read_to_string(out.join(&path)).with_context(|| path.display().to_string())?;
         Ok((path, text))
     };
-    made.iter().map(read).collect()
+    listed.iter().map(read).collect()
 }
 
 /// Links that lead nowhere: to a page, a place on a page, or a file that there is not.
 fn broken_links(
+    file: &Path,
     from: &Path,
     links: &[Link],
     pages: &BTreeMap<PathBuf, String>,
-    chapters: &Path,
+    staged: &Path,
 ) -> Vec<Fault> {
     let leads_nowhere = |link: &&Link| {
         let (path, place) = link.target.split_once('#').unwrap_or((&link.target, ""));
         let target = if path.is_empty() { from.to_path_buf() } else { PathBuf::from(path) };
         match pages.get(&target.with_extension("html")).filter(|_| target.extension() == from.extension()) {
             Some(page) => !place.is_empty() && !page.contains(&format!("id=\"{place}\"")),
-            None => !chapters.join(&target).is_file(),
+            None => !staged.join(&target).is_file(),
         }
     };
     let fault = |link: &Link| Fault {
-        file: in_repository(from),
+        file: in_repository(file),
         line: link.line,
         message: format!("the link to `{}` leads nowhere", link.target),
     };
@@ -193,33 +222,33 @@ fn broken_links(
 
 /// Marks of ours or of LaTeX that came through to a page's text. The line is that of the page's source only if
 /// there is one with the same words; code may hold such marks.
-fn leftovers(chapter: &Path, page: &str) -> Option<Fault> {
+fn leftovers(source: &Path, file: &Path, page: &str) -> Option<Fault> {
     static CODE: LazyLock<Regex> = LazyLock::new(|| {
         Regex::new(r"(?s)<code.*?</code>|<script.*?</script>").expect("the pattern is right")
     });
     let text = CODE.replace_all(page, "");
     let mark = ["{{", "$$", "ANCHOR"].into_iter().find(|mark| text.contains(mark))?;
-    let line = std::fs::read_to_string(Path::new(BOOK).join("chapters").join(chapter))
+    let line = std::fs::read_to_string(source)
         .ok()
         .and_then(|source| source.lines().position(|line| line.contains(mark)))
         .map_or(1, |n| n + 1);
-    Some(Fault { file: in_repository(chapter), line, message: format!("`{mark}` shows on the page") })
+    Some(Fault { file: in_repository(file), line, message: format!("`{mark}` shows on the page") })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A book of these chapters; what is wrong with it.
-    fn faults(chapters: &[(&str, &str)]) -> Vec<String> {
+    /// A book of these pages; what is wrong with it.
+    fn faults(pages: &[(&str, &str)]) -> Vec<String> {
         let folder = tempfile::tempdir().unwrap();
         let book = folder.path();
-        std::fs::create_dir(book.join("chapters")).unwrap();
-        std::fs::write(book.join("book.toml"), "[book]\ntitle = \"Test\"\nsrc = \"chapters\"\n").unwrap();
-        for (name, text) in chapters {
-            std::fs::write(book.join("chapters").join(name), text).unwrap();
+        std::fs::create_dir_all(book.join("pages/charts")).unwrap();
+        std::fs::write(book.join("book.toml"), "[book]\ntitle = \"Test\"\n").unwrap();
+        for (name, text) in pages {
+            std::fs::write(book.join("pages").join(name), text).unwrap();
         }
-        let faults = pages(book, &book.join("out"), &Vec::new()).unwrap();
+        let faults = super::pages(book, &book.join("out"), &Vec::new()).unwrap();
         faults.iter().map(ToString::to_string).collect()
     }
 
@@ -227,8 +256,11 @@ mod tests {
 
     #[test]
     fn a_sound_book_has_no_faults() {
-        let a = ("a.md", "# A\n\n[b](b.md#there), [here](#a), [file](c.txt), [far](https://example.org)\n");
-        assert_eq!(faults(&[SUMMARY, a, ("b.md", "# B\n\n## There\n"), ("c.txt", "x")]), [""; 0]);
+        let a = (
+            "a.md",
+            "# A\n\n[b](b.md#there), [here](#a), [file](charts/c.csv), [far](https://example.org)\n",
+        );
+        assert_eq!(faults(&[SUMMARY, a, ("b.md", "# B\n\n## There\n"), ("charts/c.csv", "x")]), [""; 0]);
     }
 
     #[test]
@@ -236,10 +268,10 @@ mod tests {
         let a = ("a.md", "# A\n\n[b](b.md#nowhere)\n[c](c.md)\n[d](#d)\n");
         let found = faults(&[SUMMARY, a, ("b.md", "# B\n"), ("e.md", "# E\n")]);
         let expected = [
-            "book/chapters/a.md:3: the link to `b.md#nowhere` leads nowhere",
-            "book/chapters/a.md:4: the link to `c.md` leads nowhere",
-            "book/chapters/a.md:5: the link to `#d` leads nowhere",
-            "book/chapters/e.md:1: SUMMARY.md does not list this chapter",
+            "book/pages/a.md:3: the link to `b.md#nowhere` leads nowhere",
+            "book/pages/a.md:4: the link to `c.md` leads nowhere",
+            "book/pages/a.md:5: the link to `#d` leads nowhere",
+            "book/pages/e.md:1: SUMMARY.md does not list this page",
         ];
         assert_eq!(found, expected);
     }
@@ -249,7 +281,7 @@ mod tests {
         let found =
             faults(&[SUMMARY, ("a.md", "# A\n\n<p>$$x$$</p>\n"), ("b.md", "# B\n\n{{value}} `$$`\n")]);
         assert!(found[0].contains("a.md") && found[0].contains("`$$` shows on the page"), "{found:?}");
-        assert!(found[1].starts_with("book/chapters/b.md:3: "), "{found:?}");
+        assert!(found[1].starts_with("book/pages/b.md:3: "), "{found:?}");
         assert_eq!(found.len(), 2, "{found:?}");
     }
 
@@ -257,10 +289,10 @@ mod tests {
     fn what_mdbook_warns_of_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let book = folder.path();
-        std::fs::create_dir(book.join("chapters")).unwrap();
-        std::fs::write(book.join("book.toml"), "[book]\nsrc = \"chapters\"\n").unwrap();
-        std::fs::write(book.join("chapters/SUMMARY.md"), "[A](a.md)\n").unwrap();
-        std::fs::write(book.join("chapters/a.md"), "# A\n\n<div>\n\nText\n").unwrap();
+        std::fs::create_dir(book.join("pages")).unwrap();
+        std::fs::write(book.join("book.toml"), "[book]\n").unwrap();
+        std::fs::write(book.join("pages/SUMMARY.md"), "[A](a.md)\n").unwrap();
+        std::fs::write(book.join("pages/a.md"), "# A\n\n<div>\n\nText\n").unwrap();
         let error = pages(book, &book.join("out"), &Vec::new()).unwrap_err().to_string();
         assert!(error.contains("unclosed HTML tag `<div>` found in `a.md`"), "{error}");
     }

@@ -5,18 +5,21 @@
 //! cargo run --release -p book -- html        its pages and figures alone
 //! cargo run --release -p book -- figures     its figures alone
 //! cargo run --release -p book -- serve       shows it in a browser
-//! cargo run --release -p book -- charts      speed against accuracy, into book/chapters/charts/
+//! cargo run --release -p book -- charts      speed against accuracy, into book/pages/charts/
 //! cargo run -p book -- methods               which method, when: from the figures of the charts
-//! cargo run -p book -- pictures              each lesson's picture, into book/chapters/pictures/
+//! cargo run -p book -- pictures              each lesson's picture, into book/pages/pictures/
 //! ```
 
 mod fault;
 mod figures;
 mod html;
+mod lessons;
 mod markup;
 mod math;
 mod methods;
 mod page;
+#[path = "../pages/mod.rs"]
+mod pages;
 mod pictures;
 mod quote;
 mod serve;
@@ -56,9 +59,9 @@ struct Folder {
 
 #[derive(Subcommand)]
 enum Make {
-    /// Draw each lesson's picture by its own program, into book/chapters/pictures/
+    /// Draw each lesson's picture by its own program, into book/pages/pictures/
     Pictures,
-    /// Measure every method and chart its speed against its accuracy, into book/chapters/charts/
+    /// Measure every method and chart its speed against its accuracy, into book/pages/charts/
     Charts(charts::Flags),
     /// Write again, from the book's figures, which method to take when: two pages and the README's table
     Methods,
@@ -90,7 +93,7 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.make {
         Some(Make::Pictures) => {
-            pictures::draw_all(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/chapters/pictures")))
+            pictures::draw_all(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/pages/pictures")))
         }
         Some(Make::Charts(flags)) => charts::run(flags),
         Some(Make::Methods) => charts::write_summary(),

@@ -4,7 +4,7 @@
 //! | in a chapter | becomes |
 //! |---|---|
 //! | `$a^2$`, `$$a^2$$` | a formula, in the line or on its own |
-//! | a code block that holds `{{#include PATH:ANCHOR}}` | the code, quoted under its file's name |
+//! | a code block that holds `{{#include PATH:ANCHOR}}`, the path from the repository's root | the code, quoted under its file's name |
 //! | the same with `{{#include PATH:ANCHOR since [PATH:]ANCHOR}}` | with the lines marked that the other lacks |
 //! | `{{figure NAME}} Caption.` | the figure, the rest of the paragraph under it |
 //! | `{{chart NAME}} Caption.` | a chart of `charts/` |
@@ -42,8 +42,10 @@ pub(crate) struct Shown {
 
 /// What a page can draw on.
 pub(crate) struct Sources<'a> {
-    /// The folder of the chapters.
-    pub(crate) chapters: &'a Path,
+    /// The repository, which quoted code is from.
+    pub(crate) root: &'a Path,
+    /// The folder of the charts.
+    pub(crate) charts: &'a Path,
     /// The figures by name.
     pub(crate) figures: &'a BTreeMap<&'static str, Shown>,
 }
@@ -192,7 +194,7 @@ impl Writer<'_> {
                 "a quoting block holds one line, {{{{#include PATH:ANCHOR}}}}, perhaps with `since ANCHOR`"
             ),
         };
-        let read = |place: &str| Quote::read(self.sources.chapters, place);
+        let read = |place: &str| Quote::read(self.sources.root, place);
         let before = before.as_deref().map(read).transpose()?;
         Ok(read(place)?.html(language, before.as_ref()))
     }
@@ -217,10 +219,10 @@ impl Writer<'_> {
 
     /// What a directive without caption stands for.
     fn inserted(&self, words: &[&str]) -> anyhow::Result<String> {
-        let charts = self.sources.chapters.join("charts");
+        let charts = self.sources.charts;
         Ok(match words {
-            ["value", table, row @ .., column] => spelled(Table::read(&charts, table)?.cell(row, column)?),
-            ["ratio", table, row, over, column] => Table::read(&charts, table)?.ratio(row, over, column)?,
+            ["value", table, row @ .., column] => spelled(Table::read(charts, table)?.cell(row, column)?),
+            ["ratio", table, row, over, column] => Table::read(charts, table)?.ratio(row, over, column)?,
             ["results", table, columns @ ..] => {
                 let named = columns.iter().map(|column| column.split_once('='));
                 let named: Option<Vec<(&str, String)>> =
@@ -230,7 +232,7 @@ impl Writer<'_> {
                     named.context("name two columns or more, as in method=Method error_max=Largest_error")?;
                 let named: Vec<(&str, &str)> =
                     named.iter().map(|(column, name)| (*column, name.as_str())).collect();
-                Table::read(&charts, table)?.markdown(&named)?
+                Table::read(charts, table)?.markdown(&named)?
             }
             ["insert", name] => {
                 let file = charts.join(name).with_extension("md");
@@ -271,11 +273,8 @@ impl Writer<'_> {
     }
 
     fn drawn(&mut self, name: &str) -> Result<String, String> {
-        let Shown { file, alt, size: (width, height) } = self
-            .sources
-            .figures
-            .get(name)
-            .ok_or_else(|| format!("there is no figure `{name}` in book/src/figures/"))?;
+        let Shown { file, alt, size: (width, height) } =
+            self.sources.figures.get(name).ok_or_else(|| format!("there is no figure `{name}`"))?;
         self.page.figures.insert(name.into());
         let alt = escaped(alt);
         Ok(format!("<img src=\"figures/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\">"))
@@ -283,12 +282,12 @@ impl Writer<'_> {
 
     /// A measured chart, which leads to its file: on a telephone it is small.
     fn chart(&self, name: &str) -> Result<String, String> {
-        let (file, folder) = (format!("charts/{name}.svg"), self.sources.chapters.join("charts"));
-        let svg = std::fs::read_to_string(self.sources.chapters.join(&file))
+        let (file, folder) = (format!("charts/{name}.svg"), self.sources.charts);
+        let svg = std::fs::read_to_string(folder.join(format!("{name}.svg")))
             .map_err(|_| format!("there is no {file}: cargo run --release -p book -- charts"))?;
         let (title, [width, height]) =
             chart_title(&svg).ok_or_else(|| format!("{file} has no title or no size"))?;
-        let best = Table::read(&folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
+        let best = Table::read(folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
         let best = if best.is_empty() { best } else { format!(" None beats these in both: {best}.") };
         let alt = escaped(&format!("Chart. {title}.{best}"));
         Ok(format!(
@@ -340,22 +339,26 @@ mod tests {
     /// A page of this source in a folder with one lesson file and one table.
     fn page(source: &str) -> Page {
         let folder = tempfile::tempdir().unwrap();
-        let chapters = folder.path().join("chapters");
-        std::fs::create_dir_all(chapters.join("charts")).unwrap();
+        let charts = folder.path().join("charts");
+        std::fs::create_dir_all(&charts).unwrap();
         let code =
             "// ANCHOR: f\nfn f() {\n    g();\n}\n// ANCHOR_END: f\n// ANCHOR: none\n// ANCHOR_END: none\n";
         std::fs::write(folder.path().join("lib.rs"), code).unwrap();
-        std::fs::write(chapters.join("charts/t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
+        std::fs::write(charts.join("t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
         let shown = Shown { file: "dot.svg".into(), alt: "A dot.", size: (480, 100) };
         let figures = BTreeMap::from([("dot", shown)]);
-        expand("book/chapters/x.md", source, &Sources { chapters: &chapters, figures: &figures })
+        expand(
+            "book/pages/x.md",
+            source,
+            &Sources { root: folder.path(), charts: &charts, figures: &figures },
+        )
     }
 
     #[test]
     fn everything_has_its_place() {
         let made = page(
             "A {{value t a error}}, {{ratio t a b error}} times $x$.\n\n{{figure dot}} See $y$\nhere.\n\n\
-             ```rust\n{{#include ../lib.rs:f}}\n```\n\n$$a = b$$\n\n{{results t method=Method error=Error}}\n\n\
+             ```rust\n{{#include lib.rs:f}}\n```\n\n$$a = b$$\n\n{{results t method=Method error=Error}}\n\n\
              {{methods 01-lines}}\n\nSee [there](y.md#z).\n",
         );
         assert_eq!(made.faults, []);
@@ -379,13 +382,13 @@ mod tests {
     #[test]
     fn every_mistake_is_told_with_file_and_line() {
         for (source, said) in [
-            ("```rust\n{{#include ../lib.rs:g}}\n```", "there is no anchor `g`"),
-            ("```rust\n{{#include ../lib.rs:none}}\n```", "anchor `none` is empty"),
-            ("```rust\n{{#include ../none.rs:f}}\n```", "cannot read ../none.rs"),
-            ("```rust\n{{#include ../lib.rs}}\n```", "names no anchor"),
-            ("```rust\n{{#include ../lib.rs:f since g}}\n```", "there is no anchor `g`"),
-            ("```rust\nlet x;\n{{#include ../lib.rs:f}}\n```", "a quoting block holds one line"),
-            ("{{#include ../lib.rs:f}}", "means nothing here"),
+            ("```rust\n{{#include lib.rs:g}}\n```", "there is no anchor `g`"),
+            ("```rust\n{{#include lib.rs:none}}\n```", "anchor `none` is empty"),
+            ("```rust\n{{#include none.rs:f}}\n```", "cannot read none.rs"),
+            ("```rust\n{{#include lib.rs}}\n```", "names no anchor"),
+            ("```rust\n{{#include lib.rs:f since g}}\n```", "there is no anchor `g`"),
+            ("```rust\nlet x;\n{{#include lib.rs:f}}\n```", "a quoting block holds one line"),
+            ("{{#include lib.rs:f}}", "means nothing here"),
             ("$\\frac{1}{$", "begins or ends no formula"),
             ("$\\nonsense$", "nonsense"),
             ("$$\\nonsense$$", "nonsense"),
@@ -406,7 +409,7 @@ mod tests {
         ] {
             let made = page(&format!("One.\n\n{source}\n"));
             let [fault] = made.faults.as_slice() else { panic!("{source}: {:?}", made.faults) };
-            assert!(fault.to_string().starts_with("book/chapters/x.md:3: "), "{fault}");
+            assert!(fault.to_string().starts_with("book/pages/x.md:3: "), "{fault}");
             assert!(fault.message.contains(said) && !fault.message.contains('\n'), "{source}: {fault}");
             assert!(made.markdown.contains("class=\"fault\""), "{source}");
         }

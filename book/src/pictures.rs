@@ -61,7 +61,7 @@ mod tests {
     /// a pixel at a side to its neighbour: one in 2,000 may differ.
     #[test]
     fn the_committed_pictures_are_what_the_lessons_draw() {
-        let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("chapters/pictures");
+        let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("pages/pictures");
         for (name, lesson, flags) in PICTURES {
             let allowed = if *name < "07" { 0 } else { usize::from(SIZE) * usize::from(SIZE) / 2000 };
             let out_of_date = match Image::read(&committed.join(name)) {

@@ -14,7 +14,7 @@ pub(crate) struct Quote {
 }
 
 impl Quote {
-    /// Reads `path:anchor`, the path from a folder, usually the chapters'.
+    /// Reads `path:anchor`, the path from a folder, usually the repository's root.
     ///
     /// # Errors
     /// Where the file, the anchor, its end or anything between is missing.
@@ -22,11 +22,10 @@ impl Quote {
         let (path, anchor) = place
             .rsplit_once(':')
             .with_context(|| format!("`{place}` names no anchor: write path:anchor"))?;
-        let full = folder.join(path);
-        let text = std::fs::read_to_string(&full).with_context(|| format!("cannot read {path}"))?;
+        let text =
+            std::fs::read_to_string(folder.join(path)).with_context(|| format!("cannot read {path}"))?;
         let lines = anchored(&text, anchor).with_context(|| path.to_string())?;
-        let file = path.trim_start_matches("../").to_string();
-        Ok(Self { file, lines })
+        Ok(Self { file: path.into(), lines })
     }
 
     /// The code as HTML: `<pre>` under the file's name. Lines that are not in `before` are marked as new.

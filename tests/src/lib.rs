@@ -1,12 +1,10 @@
 //! What the tests of all lessons share: running a lesson's program, and snapshots of pictures.
 //!
 //! ```text
-//! snapshots/   what each method draws, as text and as PNG; one file a lesson
-//! stability/   tables of (input, method, what must happen), failures included; one file a lesson
-//! properties/  what must hold for any input
+//! lessons/     a folder a lesson: snapshots of what each method draws, stability tests, properties
 //! missions/    starters, solutions, and the faults that checks recognise
-//! benches/     what drawing costs
 //! files/       bad files and bad flags, and the assets made again
+//! benches/     what drawing costs
 //! ```
 
 use std::collections::BTreeMap;
@@ -17,14 +15,23 @@ use std::sync::LazyLock;
 
 use checks::picture::{Fault, faults};
 use common::file::Encoding;
-use common::{Bounds, IVec2, Image};
+use common::{Bounds, IVec2, Image, Lesson};
 use escargot::CargoBuild;
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot, assert_binary_snapshot, assert_snapshot};
 
-/// The lessons with a program.
-pub const LESSONS: [&str; 9] =
-    ["lines", "wireframe", "triangles", "zbuffer", "textures", "gouraud", "transforms", "camera", "shaders"];
+/// The lessons, in order.
+pub const LESSONS: [Lesson; 9] = [
+    lines::LESSON,
+    wireframe::LESSON,
+    triangles::LESSON,
+    zbuffer::LESSON,
+    textures::LESSON,
+    gouraud::LESSON,
+    transforms::LESSON,
+    camera::LESSON,
+    shaders::LESSON,
+];
 
 /// The sphere of 5,000 triangles.
 pub const SPHERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
@@ -41,7 +48,7 @@ static PROGRAMS: LazyLock<BTreeMap<&str, PathBuf>> = LazyLock::new(|| {
         (name, built.unwrap_or_else(|error| panic!("{name}: {error}")).path().to_path_buf())
     };
     let lesson = |name| build(name, CargoBuild::new().package(name).bin(name));
-    let mut programs = BTreeMap::from(LESSONS.map(lesson));
+    let mut programs = BTreeMap::from(LESSONS.map(|one| lesson(one.name)));
     programs.extend([build("pixel", CargoBuild::new().package("common").example("pixel"))]);
     programs
 });
@@ -75,10 +82,11 @@ pub fn draw(lesson: &str, arguments: &[&str]) -> Image {
     Image::read(&folder.path().join("picture.png")).expect("the program wrote a picture")
 }
 
-/// A folder of snapshots, each named after what it shows.
-fn settings() -> Settings {
+/// A lesson's folder of snapshots, each named after what it shows.
+fn settings(lesson: &Lesson) -> Settings {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots/pictures"));
+    let lessons = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
+    settings.set_snapshot_path(lessons.join(lesson.folder()).join("pictures"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings
@@ -111,12 +119,13 @@ impl Comparator for Pixels {
     }
 }
 
-/// Compares a picture with the snapshot of that name; each channel may differ by `tolerance`.
+/// Compares a picture with the lesson's snapshot of that name; each channel may differ by `tolerance`.
 ///
 /// # Panics
-/// Where it differs by more, or there is no such snapshot. What was drawn is then in `target/drawn/NAME.png`.
-pub fn assert_picture(name: &str, image: &Image, tolerance: u8) {
-    assert_pixels(name, image, Pixels { tolerance, strays: 0 });
+/// Where it differs by more, or there is no such snapshot. What was drawn is then in
+/// `target/drawn/NN-LESSON-NAME.png`.
+pub fn assert_picture(lesson: &Lesson, name: &str, image: &Image, tolerance: u8) {
+    assert_pixels(lesson, name, image, Pixels { tolerance, strays: 0 });
 }
 
 /// As [`assert_picture`], for a picture that depends on sines or on SIMD: each channel may differ by 1, and one
@@ -125,21 +134,21 @@ pub fn assert_picture(name: &str, image: &Image, tolerance: u8) {
 ///
 /// # Panics
 /// As [`assert_picture`].
-pub fn assert_similar(name: &str, image: &Image) {
+pub fn assert_similar(lesson: &Lesson, name: &str, image: &Image) {
     let strays = (image.width() * image.height()) as usize / 2000;
-    assert_pixels(name, image, Pixels { tolerance: 1, strays });
+    assert_pixels(lesson, name, image, Pixels { tolerance: 1, strays });
 }
 
-fn assert_pixels(name: &str, image: &Image, comparator: Pixels) {
+fn assert_pixels(lesson: &Lesson, name: &str, image: &Image, comparator: Pixels) {
     // A name may not hold a dot, since that begins the ending.
     let name = name.replace('.', "_");
     let bytes = image.encode(Encoding::Png).expect("the picture has pixels");
-    let mut settings = settings();
+    let mut settings = settings(lesson);
     settings.set_comparator(Box::new(comparator));
     let compare = || settings.bind(|| assert_binary_snapshot!(&format!("{name}.png"), bytes));
     if let Err(difference) = catch_unwind(AssertUnwindSafe(compare)) {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/drawn");
-        let drawn = folder.join(format!("{name}.png"));
+        let drawn = folder.join(format!("{}-{name}.png", lesson.folder()));
         let written = std::fs::create_dir_all(&folder).is_ok() && image.write(&drawn).is_ok();
         println!(
             "what was drawn: {}",
@@ -149,12 +158,12 @@ fn assert_pixels(name: &str, image: &Image, comparator: Pixels) {
     }
 }
 
-/// Compares a small picture with a text snapshot, a character a pixel, so that a review can read it: `.` is
+/// Compares a small picture with a text snapshot of the lesson, a character a pixel, so that a review can read it: `.` is
 /// black, `#` is white, and a digit says how many ninths of the way it is.
 ///
 /// # Panics
 /// Where it differs, or there is no such snapshot.
-pub fn assert_text(name: &str, image: &Image) {
+pub fn assert_text(lesson: &Lesson, name: &str, image: &Image) {
     let symbol = |x, y| match image.get(x, y).map_or(0, common::Color::luma) {
         0 => '.',
         255 => '#',
@@ -163,7 +172,7 @@ pub fn assert_text(name: &str, image: &Image) {
     let rows =
         (0..image.height()).rev().map(|y| (0..image.width()).map(|x| symbol(x, y)).collect::<String>());
     let text = rows.collect::<Vec<_>>().join("\n");
-    settings().bind(|| assert_snapshot!(name, text));
+    settings(lesson).bind(|| assert_snapshot!(name, text));
 }
 
 /// The rectangle of pixels from (0, 0) on.

@@ -116,7 +116,13 @@ fn has_v3() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
         use std::is_x86_feature_detected as has;
-        has!("avx2") && has!("bmi1") && has!("bmi2") && has!("f16c") && has!("fma") && has!("lzcnt") && has!("movbe")
+        has!("avx2")
+            && has!("bmi1")
+            && has!("bmi2")
+            && has!("f16c")
+            && has!("fma")
+            && has!("lzcnt")
+            && has!("movbe")
     }
     #[cfg(not(target_arch = "x86_64"))]
     false
@@ -124,7 +130,8 @@ fn has_v3() -> bool {
 
 /// Builds the timer, its functions in the order that follows from a number, and returns where it is.
 fn build(kind: For, order: Option<u64>) -> anyhow::Result<PathBuf> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| Path::new(TOP).join("target"), PathBuf::from);
+    let target =
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| Path::new(TOP).join("target"), PathBuf::from);
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.args(["rustc", "--quiet", "--release", "--package", "charts", "--bin", "timer"]);
     let folder = match kind {

@@ -29,9 +29,25 @@ pub(crate) struct Layout {
 
 /// As wide as the book's column, and as wide as that of a telephone.
 pub(crate) const LAYOUTS: [Layout; 2] = [
-    Layout { ending: "", width: 740.0, plot_height: 360.0, title: 18.0, label: 13.5, text: 13.0, left: 58.0, margin: 18.0 },
     Layout {
-        ending: "-narrow", width: 350.0, plot_height: 380.0, title: 16.0, label: 12.5, text: 12.5, left: 46.0, margin: 10.0
+        ending: "",
+        width: 740.0,
+        plot_height: 360.0,
+        title: 18.0,
+        label: 13.5,
+        text: 13.0,
+        left: 58.0,
+        margin: 18.0,
+    },
+    Layout {
+        ending: "-narrow",
+        width: 350.0,
+        plot_height: 380.0,
+        title: 16.0,
+        label: 12.5,
+        text: 12.5,
+        left: 46.0,
+        margin: 10.0,
     },
 ];
 
@@ -62,10 +78,12 @@ const GROUNDS: [(&str, &str, [&str; 2]); 6] = [
 /// The style sheet.
 fn style(layout: &Layout) -> String {
     let rules = |theme: usize| -> String {
-        let grounds = GROUNDS.iter().map(|(name, property, colors)| format!(".{name}{{{property}:{}}}", colors[theme]));
-        let hues = COLORS.iter().enumerate().map(|(n, colors)| {
-            format!(".f{n}{{fill:{0}}}.s{n}{{stroke:{0}}}", colors[theme])
-        });
+        let grounds =
+            GROUNDS.iter().map(|(name, property, colors)| format!(".{name}{{{property}:{}}}", colors[theme]));
+        let hues = COLORS
+            .iter()
+            .enumerate()
+            .map(|(n, colors)| format!(".f{n}{{fill:{0}}}.s{n}{{stroke:{0}}}", colors[theme]));
         grounds.chain(hues).collect()
     };
     format!(
@@ -162,7 +180,9 @@ impl Card {
             .set("height", height)
             .add(Title::new(words.title.clone()))
             .add(Style::new(style(layout)))
-            .add(Rectangle::new().set("class", "card").set("width", width).set("height", height).set("rx", 8));
+            .add(
+                Rectangle::new().set("class", "card").set("width", width).set("height", height).set("rx", 8),
+            );
         let mut card = Self { document, layout, plot, ranges: [x.range, y.range] };
 
         let lines = |lines: &[String], card: &mut Self, top: f64, step: f64, class: &str, size: f64, bold| {
@@ -195,10 +215,18 @@ impl Card {
         for (at, name) in x.ticks.iter().rev() {
             let [x, _] = self.at([*at, 0.0]);
             let half = text_width(name, text) / 2.0;
-            let place = Rect::about([x.clamp(half, self.layout.width - half), bottom + 18.0], 2.0 * half + 8.0, text);
+            let place =
+                Rect::about([x.clamp(half, self.layout.width - half), bottom + 18.0], 2.0 * half + 8.0, text);
             self.line([[x, top], [x, bottom]], "grid", 1.0, None);
             if !taken.iter().any(|other| other.overlaps(&place)) {
-                self.text(name, [(place.left + place.right) / 2.0, bottom + 18.0], "ink", "middle", text, false);
+                self.text(
+                    name,
+                    [(place.left + place.right) / 2.0, bottom + 18.0],
+                    "ink",
+                    "middle",
+                    text,
+                    false,
+                );
                 taken.push(place);
             }
         }
@@ -218,7 +246,13 @@ impl Card {
     }
 
     /// Draws straight lines through points.
-    pub(crate) fn line<const N: usize>(&mut self, points: [[f64; 2]; N], class: &str, width: f64, dashes: Option<&str>) {
+    pub(crate) fn line<const N: usize>(
+        &mut self,
+        points: [[f64; 2]; N],
+        class: &str,
+        width: f64,
+        dashes: Option<&str>,
+    ) {
         self.path(&points, class, width, dashes);
     }
 
@@ -226,8 +260,10 @@ impl Card {
     pub(crate) fn path(&mut self, points: &[[f64; 2]], class: &str, width: f64, dashes: Option<&str>) {
         let Some((first, rest)) = points.split_first() else { return };
         let pair = |point: &[f64; 2]| (tenth(point[0]), tenth(point[1]));
-        let data = rest.iter().fold(Data::new().move_to(pair(first)), |data, point| data.line_to(pair(point)));
-        let mut path = Path::new().set("class", class).set("d", data).set("fill", "none").set("stroke-width", width);
+        let data =
+            rest.iter().fold(Data::new().move_to(pair(first)), |data, point| data.line_to(pair(point)));
+        let mut path =
+            Path::new().set("class", class).set("d", data).set("fill", "none").set("stroke-width", width);
         if let Some(dashes) = dashes {
             path = path.set("stroke-dasharray", dashes);
         }
@@ -260,11 +296,17 @@ impl Card {
                 group.append(square.set("width", 11).set("height", 11).set("class", format!("f{hue}")));
             }
             Mark::Cross => {
-                let data = [(-5.0, -5.0, 5.0, 5.0), (-5.0, 5.0, 5.0, -5.0)].iter().fold(Data::new(), |data, ends| {
-                    let [from, to] = [(ends.0, ends.1), (ends.2, ends.3)].map(|(dx, dy)| (tenth(x + dx), tenth(y + dy)));
-                    data.move_to(from).line_to(to)
-                });
-                group.append(Path::new().set("d", data).set("class", format!("s{hue}")).set("stroke-width", 3));
+                let data = [(-5.0, -5.0, 5.0, 5.0), (-5.0, 5.0, 5.0, -5.0)].iter().fold(
+                    Data::new(),
+                    |data, ends| {
+                        let [from, to] = [(ends.0, ends.1), (ends.2, ends.3)]
+                            .map(|(dx, dy)| (tenth(x + dx), tenth(y + dy)));
+                        data.move_to(from).line_to(to)
+                    },
+                );
+                group.append(
+                    Path::new().set("d", data).set("class", format!("s{hue}")).set("stroke-width", 3),
+                );
             }
         }
         self.document.append(if opacity < 1.0 { group.set("opacity", opacity) } else { group });
@@ -286,7 +328,15 @@ impl Card {
     }
 
     /// Writes a line of text; `at` is its base line.
-    pub(crate) fn text(&mut self, text: &str, at: [f64; 2], class: &str, anchor: &str, size: f64, bold: bool) {
+    pub(crate) fn text(
+        &mut self,
+        text: &str,
+        at: [f64; 2],
+        class: &str,
+        anchor: &str,
+        size: f64,
+        bold: bool,
+    ) {
         let mut node = Text::new(text).set("class", class).set("x", tenth(at[0])).set("y", tenth(at[1]));
         if anchor != "start" {
             node = node.set("text-anchor", anchor);

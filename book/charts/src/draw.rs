@@ -25,7 +25,10 @@ impl Scale {
             finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
         let (low, high) = if low > high { (0.0, 0.0) } else { (low.floor(), high.ceil()) };
         let low = low.min(high - 2.0);
-        let outer = [values.clone().any(f64::is_infinite).then_some(failed), values.clone().any(|value| value == 0.0).then_some(none)];
+        let outer = [
+            values.clone().any(f64::is_infinite).then_some(failed),
+            values.clone().any(|value| value == 0.0).then_some(none),
+        ];
         let [low, high] = if sign < 0.0 { [-high, -low] } else { [low, high] };
         Self { low, high, width: (high - low) * 0.1, sign, outer }
     }
@@ -166,7 +169,10 @@ fn limit_line(card: &mut Card, at: f64, name: &str) -> [Rect; 2] {
         if x + 4.0 + width < card.plot.right { (x + 4.0, "start") } else { (x - 4.0 - width, "end") };
     let from = if anchor == "start" { left } else { x - 5.0 };
     card.text(&text, [from, card.plot.top + size], "ink", anchor, size, false);
-    [Rect::around([[left, card.plot.top], [left + width, card.plot.top + size + 4.0]], 0.0), Rect::around(ends, 2.0)]
+    [
+        Rect::around([[left, card.plot.top], [left + width, card.plot.top + size + 4.0]], 0.0),
+        Rect::around(ends, 2.0),
+    ]
 }
 
 /// The border of what the points beat: from the left edge over the first one, down and right to the last one,
@@ -301,7 +307,9 @@ pub(crate) fn alike(methods: &[&str], series: &[Series]) -> Vec<Line> {
                 line.name.push_str(", ");
                 line.name.push_str(method);
             }
-            None => lines.push(Line { name: (*method).into(), method: n, points: points.clone(), ringed: None }),
+            None => {
+                lines.push(Line { name: (*method).into(), method: n, points: points.clone(), ringed: None })
+            }
         }
     }
     lines

@@ -29,7 +29,11 @@ pub(crate) fn readable(value: f64) -> String {
     if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
         let digits = (1 - exponent(value)).max(0) as usize;
         let text = format!("{value:.digits$}");
-        return if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text };
+        return if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.').into()
+        } else {
+            text
+        };
     }
     let text = format!("{value:.1e}");
     let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));

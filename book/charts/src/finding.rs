@@ -31,12 +31,17 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
         return format!("{names} {how}{nothing}");
     }
     let times = times(speed(&quickest) / speed(&pick));
-    format!("{names} {verb} the fastest {within}; {} is {times} as fast, and off by {}", quickest.method, off(&quickest))
+    format!(
+        "{names} {verb} the fastest {within}; {} is {times} as fast, and off by {}",
+        quickest.method,
+        off(&quickest)
+    )
 }
 
 /// Of lines whose first failures are ringed: which holds out, and which fails first, and where.
 pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
-    let never: Vec<&str> = lines.iter().filter(|line| line.ringed.is_none()).map(|line| line.name.as_str()).collect();
+    let never: Vec<&str> =
+        lines.iter().filter(|line| line.ringed.is_none()).map(|line| line.name.as_str()).collect();
     let failing = lines.iter().filter_map(|line| Some((line.ringed?, line)));
     let (first, last) = (failing.clone().min_by_key(|(at, _)| *at), failing.max_by_key(|(at, _)| *at));
     let at = |at: usize, line: &Line| super::figures::readable(line.points[at].0);
@@ -47,7 +52,10 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
         }
         (Some((n, line)), Some((m, longest)), true) if n != m => format!(
             "{} fails first, at {}; {} holds longest, to {}",
-            line.name, at(n, line), longest.name, at(m, longest)
+            line.name,
+            at(n, line),
+            longest.name,
+            at(m, longest)
         ),
         (Some((n, line)), _, true) => {
             let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();

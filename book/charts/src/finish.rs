@@ -24,8 +24,7 @@ use super::scene::{EYE, channels, draw, exact, scene};
 use super::table::{Quantity, number};
 use super::{Comparison, Pictures, Run, caption};
 
-pub(crate) const COMPARISON: Comparison =
-    Comparison { name: "finish", works, measure, draw: pictures };
+pub(crate) const COMPARISON: Comparison = Comparison { name: "finish", works, measure, draw: pictures };
 
 /// The size in which pictures are looked at.
 const SIDE: u16 = 800;
@@ -96,7 +95,9 @@ fn enlarged(image: &Image, side: u16) -> Image {
         let at = ((2 * n + 1) * size * 128 / i32::from(side) - 128).clamp(0, (size - 1) * 256);
         (at / 256, at % 256)
     };
-    let get = |x: i32, y: i32| image.get(x.min(image.width() - 1), y.min(image.height() - 1)).unwrap_or(Color::BLACK);
+    let get = |x: i32, y: i32| {
+        image.get(x.min(image.width() - 1), y.min(image.height() - 1)).unwrap_or(Color::BLACK)
+    };
     let columns: Vec<(i32, i32)> = (0..i32::from(side)).map(|x| before(x, image.width())).collect();
     for y in 0..i32::from(side) {
         let (row, up) = before(y, image.height());
@@ -136,7 +137,8 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
         let image = shown((method.run)(&shader.run), &scene(model, texture, LIGHT, EYE, size), size);
         let flips = flip(&image, &expected);
         let mean = |counts: &dyn Fn(usize) -> bool| {
-            let counted = flips.iter().enumerate().filter(|(n, _)| counts(*n)).map(|(_, flip)| f64::from(*flip));
+            let counted =
+                flips.iter().enumerate().filter(|(n, _)| counts(*n)).map(|(_, flip)| f64::from(*flip));
             counted.clone().sum::<f64>() / counted.count() as f64
         };
         let ms = |rate: f64| three_digits(1000.0 / rate);
@@ -187,7 +189,8 @@ fn rates(row: &Row) -> [f64; 3] {
 fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let mut reader = csv::Reader::from_path(folder.join("finish.csv"))?;
     let rows: Vec<Row> = reader.deserialize().collect::<Result<_, _>>()?;
-    let facts: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(folder.join("finish.json"))?)?;
+    let facts: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(folder.join("finish.json"))?)?;
     let fact = |name: &str| facts[name].to_string().trim_matches('"').to_string();
     let captions = vec![
         format!("{}, against {}. Over the head's pixels, {} % of all.", fact("model"), fact("reference"), fact("object_%")),
@@ -196,7 +199,8 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
             .into(),
         caption(folder, "finish")?,
     ];
-    let rms_axis = Quantity { name: "RMS difference", unit: "grey levels of 255", limit: (1.0, "within 1 level") };
+    let rms_axis =
+        Quantity { name: "RMS difference", unit: "grey levels of 255", limit: (1.0, "within 1 level") };
     let flip_axis = Quantity { name: "mean of NVIDIA's FLIP", unit: "0 to 1", limit: (0.01, "within 0.01") };
     type Get<T> = fn(&Row) -> T;
     let charts: [(&str, &Quantity, Get<f64>, Get<bool>); 2] = [
@@ -250,7 +254,8 @@ fn finding(rows: &[Row], error: fn(&Row) -> f64, best: fn(&Row) -> bool) -> Stri
 /// The root of the mean squared difference of a channel, over the pixels that count.
 fn rms(got: &Image, expected: &[[f64; 3]], counts: impl Fn(usize) -> bool) -> f64 {
     let pairs = channels(got).zip(expected).enumerate().filter(|(n, _)| counts(*n));
-    let square = |(_, (a, b)): (usize, ([f64; 3], &[f64; 3]))| (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>();
+    let square =
+        |(_, (a, b)): (usize, ([f64; 3], &[f64; 3]))| (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>();
     let (sum, count) = pairs.map(square).fold((0.0, 0.0), |(sum, count), square| (sum + square, count + 3.0));
     (sum / f64::max(count, 1.0)).sqrt()
 }

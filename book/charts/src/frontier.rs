@@ -26,7 +26,8 @@ pub(crate) fn frontier(figures: &[Figure]) -> Vec<bool> {
     let stands = |figure: &Figure| figure.does_it && figure.error.is_finite();
     let beats = |a: &Figure, b: &Figure| {
         stands(a)
-            && (a.error <= b.error && faster(a.speed, b.speed) || a.error < b.error && !faster(b.speed, a.speed))
+            && (a.error <= b.error && faster(a.speed, b.speed)
+                || a.error < b.error && !faster(b.speed, a.speed))
     };
     figures.iter().map(|b| stands(b) && !figures.iter().any(|a| beats(a, b))).collect()
 }
@@ -52,7 +53,8 @@ mod tests {
         assert_eq!(frontier(&[figure(1.0, 5.2), figure(0.5, 5.0)]), [false, true]);
         assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0)]), [true, true]);
         // Builds that differ as much as the methods do decide nothing.
-        let wide = |error, speed: f64| Figure { speed: [0.5 * speed, speed, 2.0 * speed], ..figure(error, speed) };
+        let wide =
+            |error, speed: f64| Figure { speed: [0.5 * speed, speed, 2.0 * speed], ..figure(error, speed) };
         assert_eq!(frontier(&[wide(1.0, 6.0), wide(0.5, 5.0)]), [false, true]);
     }
 

@@ -17,8 +17,7 @@ use super::scene::draw;
 use super::table::{Series, number};
 use super::{Comparison, Pictures, Run, caption};
 
-pub(crate) const COMPARISON: Comparison =
-    Comparison { name: "needs-head", works, measure, draw: pictures };
+pub(crate) const COMPARISON: Comparison = Comparison { name: "needs-head", works, measure, draw: pictures };
 
 /// The side of the pictures.
 const SIDE: u16 = 400;
@@ -109,7 +108,10 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let reading = format!("The same head in some {FINEST} triangles is taken for right. {SIDE}×{SIDE} px.");
     let of_outline = Lines {
         name: "needs-head-outline",
-        title: format!("Half a pixel off on average, the head's outline takes {} triangles", enough("gouraud", outline)),
+        title: format!(
+            "Half a pixel off on average, the head's outline takes {} triangles",
+            enough("gouraud", outline)
+        ),
         reading: reading.clone(),
         across: "ms a picture →".into(),
         falling: false,
@@ -121,7 +123,10 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     };
     let of_shading = Lines {
         name: "needs-head-shading",
-        title: format!("Half a level off on average, the head takes {} triangles by gouraud", enough("gouraud", shading)),
+        title: format!(
+            "Half a level off on average, the head takes {} triangles by gouraud",
+            enough("gouraud", shading)
+        ),
         what: "mean difference from the finest head",
         unit: "grey levels of 255",
         limit: Some((0.5, "½ level")),

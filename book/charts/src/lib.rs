@@ -5,32 +5,24 @@
 //! the charts are drawn from these, whenever they should look otherwise.
 
 mod builds;
-mod camera;
 mod card;
 mod draw;
 mod figures;
 mod finding;
 mod finish;
 mod frontier;
-mod gouraud;
 mod head;
-mod lines;
+mod lessons;
 mod machine;
 mod measure;
 mod models;
 mod needs;
 mod place;
 mod scene;
-mod shaders;
 mod speed;
 mod summary;
 mod table;
-mod textures;
 mod timer;
-mod transforms;
-mod triangles;
-mod wireframe;
-mod zbuffer;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -51,18 +43,18 @@ pub use timer::serve;
 
 /// The tables of methods, in the order of the lessons.
 const CHARTS: &[Chart] = &[
-    lines::CHART,
-    wireframe::CHART,
-    triangles::CHART,
-    zbuffer::CHART,
-    textures::CHART,
-    gouraud::CHART,
-    transforms::METHODS_CHART,
-    transforms::ROTATIONS_CHART,
-    transforms::INVERSES_CHART,
-    camera::CHART,
-    shaders::METHODS_CHART,
-    shaders::SHADERS_CHART,
+    lessons::lines::CHART,
+    lessons::wireframe::CHART,
+    lessons::triangles::CHART,
+    lessons::zbuffer::CHART,
+    lessons::textures::CHART,
+    lessons::gouraud::CHART,
+    lessons::transforms::METHODS_CHART,
+    lessons::transforms::ROTATIONS_CHART,
+    lessons::transforms::INVERSES_CHART,
+    lessons::camera::CHART,
+    lessons::shaders::METHODS_CHART,
+    lessons::shaders::SHADERS_CHART,
 ];
 
 /// A comparison of whole pictures: its pieces of work, how it is measured, and how it is drawn.
@@ -80,7 +72,7 @@ const COMPARISONS: [Comparison; 3] = [needs::COMPARISON, head::COMPARISON, finis
 type Pictures = Vec<(String, String)>;
 
 /// Where the book's charts are.
-const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../chapters/charts");
+const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../pages/charts");
 
 /// What says in short which method to take.
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../README.md");
@@ -228,8 +220,10 @@ fn measure_all(run: &mut Run, charts: &[&Chart], comparisons: &[&Comparison]) ->
 
 /// Draws the charts of the figures that are in a folder, and writes which method to take when.
 fn draw_all(folder: &Path, charts: &[&Chart], comparisons: &[&Comparison]) -> anyhow::Result<()> {
-    let drawn = charts.iter().map(|chart| table_pictures(chart, folder).map(|pictures| (chart.name, pictures)));
-    let others = comparisons.iter().map(|comparison| (comparison.draw)(folder).map(|pictures| ("", pictures)));
+    let drawn =
+        charts.iter().map(|chart| table_pictures(chart, folder).map(|pictures| (chart.name, pictures)));
+    let others =
+        comparisons.iter().map(|comparison| (comparison.draw)(folder).map(|pictures| ("", pictures)));
     for pictures in drawn.chain(others) {
         let (name, pictures) = pictures?;
         for (ending, svg) in pictures {
@@ -536,7 +530,11 @@ fn again(charts: &[&Chart], times: u32, mut run: Run) -> anyhow::Result<()> {
         }
     }
     bar.finish_and_clear();
-    ensure!(moved.is_empty(), "other methods than in the book's charts are beaten by none: {}", moved.join("; "));
+    ensure!(
+        moved.is_empty(),
+        "other methods than in the book's charts are beaten by none: {}",
+        moved.join("; ")
+    );
     println!("measured {times} times: the methods that none beats are those of the book's charts");
     Ok(())
 }

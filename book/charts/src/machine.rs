@@ -34,13 +34,25 @@ impl Machine {
         let flags = format!(
             "{} --release, codegen-units = 1, {}",
             std::env::consts::ARCH,
-            if placements == 1 { "1 build".into() } else { format!("{placements} builds with functions in other places") }
+            if placements == 1 {
+                "1 build".into()
+            } else {
+                format!("{placements} builds with functions in other places")
+            }
         );
         // Without git, as in an archive, there is no commit to name.
         let git = |arguments: &[&str]| {
             told_by(Command::new("git").current_dir(env!("CARGO_MANIFEST_DIR")), arguments)
         };
-        let changed = git(&["status", "--porcelain", "--untracked-files=no", "--", "../..", ":!../chapters/charts", ":!../../README.md"]);
+        let changed = git(&[
+            "status",
+            "--porcelain",
+            "--untracked-files=no",
+            "--",
+            "../..",
+            ":!../pages/charts",
+            ":!../../README.md",
+        ]);
         let commit = match (git(&["rev-parse", "--short", "HEAD"]), changed) {
             (Ok(commit), Ok(changed)) if changed.is_empty() => commit,
             (Ok(commit), _) => commit + CHANGED,

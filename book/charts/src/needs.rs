@@ -20,8 +20,7 @@ use super::scene::draw;
 use super::table::{Series, number};
 use super::{Comparison, Pictures, Run, caption};
 
-pub(crate) const COMPARISON: Comparison =
-    Comparison { name: "needs", works, measure, draw: pictures };
+pub(crate) const COMPARISON: Comparison = Comparison { name: "needs", works, measure, draw: pictures };
 
 /// The sides of the pictures.
 const SIDES: [u16; 3] = [100, 400, 1600];
@@ -219,8 +218,14 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let caption = caption(folder, "needs")?;
     let mut pictures = Vec::new();
     for layout in &LAYOUTS {
-        pictures.push((format!("needs-outline{}", layout.ending), lines(&outline_chart(&rows, &caption), layout)?));
-        pictures.push((format!("needs-shading{}", layout.ending), lines(&shading_chart(&rows, &caption), layout)?));
+        pictures.push((
+            format!("needs-outline{}", layout.ending),
+            lines(&outline_chart(&rows, &caption), layout)?,
+        ));
+        pictures.push((
+            format!("needs-shading{}", layout.ending),
+            lines(&shading_chart(&rows, &caption), layout)?,
+        ));
     }
     Ok(pictures)
 }
@@ -231,7 +236,12 @@ fn outline_chart<'a>(rows: &[Row], caption: &str) -> Lines<'a> {
     let line = |(n, side): (usize, &u16)| {
         let points: Series =
             mine(*side).map(|row| (number(&row.ms_median), number(&row.outline_max))).collect();
-        Line { name: format!("{side}×{side} px"), method: n, points, ringed: mine(*side).position(|row| row.rule) }
+        Line {
+            name: format!("{side}×{side} px"),
+            method: n,
+            points,
+            ringed: mine(*side).position(|row| row.rule),
+        }
     };
     let enough: Vec<String> = sides
         .iter()

@@ -21,9 +21,12 @@ impl Bursts {
         /// What no operation takes: a clock that ticks 3·10⁹ times a second shows no less.
         const LEAST: f64 = 1e-11;
         let columns = 0..amounts.len();
-        let usual: Vec<f64> =
-            columns.clone().map(|n| median(&mut self.0.iter().map(|burst| burst[n]).collect::<Vec<_>>())).collect();
-        let slower = |burst: &Vec<f64>| median(&mut burst.iter().zip(&usual).map(|(a, b)| a / b).collect::<Vec<_>>());
+        let usual: Vec<f64> = columns
+            .clone()
+            .map(|n| median(&mut self.0.iter().map(|burst| burst[n]).collect::<Vec<_>>()))
+            .collect();
+        let slower =
+            |burst: &Vec<f64>| median(&mut burst.iter().zip(&usual).map(|(a, b)| a / b).collect::<Vec<_>>());
         let mended: Vec<f64> = columns
             .map(|n| median(&mut self.0.iter().map(|burst| burst[n] / slower(burst)).collect::<Vec<_>>()))
             .collect();

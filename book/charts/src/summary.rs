@@ -38,7 +38,10 @@ pub(crate) fn pages(charts: &[Chart], folder: &Path) -> anyhow::Result<[(&'stati
                 chart.advice.iter().find(|(name, _)| *name == row.method).map_or("—", |(_, when)| when);
             let name = if row.frontier { format!("**{}**", row.method) } else { row.method.clone() };
             let advice = if row.does_the_job { advice } else { "does another job" };
-            let [worst, mean] = [readable(&row.error_max, row.is_exact(chart)), readable(&row.error_mean, row.is_exact(chart))];
+            let [worst, mean] = [
+                readable(&row.error_max, row.is_exact(chart)),
+                readable(&row.error_mean, row.is_exact(chart)),
+            ];
             let (time, v3) = (&row.relative_time, &row.relative_time_v3);
             writeln!(page, "| {name} | {worst} | {mean} | {time} | {v3} | {advice} |")?;
         }
@@ -70,13 +73,15 @@ pub(crate) fn pages(charts: &[Chart], folder: &Path) -> anyhow::Result<[(&'stati
 pub(crate) fn otherwise(rows: &[Row]) -> Option<String> {
     // What is less than a quarter faster may be another build's tie.
     let faster = |a: &str, b: &str| number(b) > 1.25 * number(a);
-    let rows: Vec<&Row> = rows.iter().filter(|row| row.does_the_job && !row.relative_time_v3.is_empty()).collect();
+    let rows: Vec<&Row> =
+        rows.iter().filter(|row| row.does_the_job && !row.relative_time_v3.is_empty()).collect();
     let pairs = rows.iter().flat_map(|a| rows.iter().map(move |b| (a, b))).filter(|(a, b)| {
         b.frontier
             && faster(&a.relative_time_v3, &b.relative_time_v3)
             && !faster(&a.relative_time, &b.relative_time)
     });
-    let texts: Vec<String> = pairs.map(|(a, b)| format!("{} is faster than {}", a.method, b.method)).collect();
+    let texts: Vec<String> =
+        pairs.map(|(a, b)| format!("{} is faster than {}", a.method, b.method)).collect();
     (!texts.is_empty()).then(|| texts.join(", "))
 }
 

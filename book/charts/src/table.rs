@@ -154,7 +154,8 @@ pub(crate) fn rows(chart: &Chart, errors: &[Errors], speeds: &[Speed]) -> Vec<Ro
     let methods = (chart.methods)();
     let does_it = |n: usize| !chart.wrong.contains(&methods[n]);
     let fastest = |rate: fn(&Speed) -> f64| {
-        let rates = speeds.iter().enumerate().filter(|(n, _)| does_it(*n) && errors[*n].largest().is_finite());
+        let rates =
+            speeds.iter().enumerate().filter(|(n, _)| does_it(*n) && errors[*n].largest().is_finite());
         rates.map(|(_, speed)| rate(speed)).fold(0.0, f64::max)
     };
     let [any, newer] = [fastest(|speed| speed.median), fastest(|speed| speed.newer.unwrap_or(0.0))];

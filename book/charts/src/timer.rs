@@ -75,8 +75,10 @@ mod tests {
         let mut answers = Vec::new();
         serve(&b"open 08-camera 1000 1\nburst 3\n"[..], &mut answers).unwrap();
         let text = String::from_utf8(answers).unwrap();
-        let lines: Vec<Vec<f64>> =
-            text.lines().map(|line| line.split(' ').map(|number| number.parse().unwrap()).collect()).collect();
+        let lines: Vec<Vec<f64>> = text
+            .lines()
+            .map(|line| line.split(' ').map(|number| number.parse().unwrap()).collect())
+            .collect();
         assert_eq!(lines[0], [0.0, 1000.0, 1000.0, 1000.0]);
         assert!(lines[1].len() == 4 && lines[1].iter().all(|seconds| *seconds > 0.0));
     }

@@ -1,0 +1,362 @@
+//! Chapter 5: colour from a picture.
+
+use std::path::Path;
+
+use anyhow::{Context, anyhow};
+use common::program::DEFAULT_MODEL;
+use common::{Attributes, Color, Format, Image, Method, Model, Vec2, Vec3};
+use textures::{METHODS, Sampler, interpolate, texel};
+use triangles::{barycentric::weights, fill};
+use zbuffer::{DepthBuffer, fill_nearest, surfaces, to_screen, z_f32};
+
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, Ink, RED, SKY, Sheet};
+use crate::figures::{Drawing, Figure, beside, model};
+
+pub(crate) const FIGURES: &[Figure] = &[
+    Figure::new(
+        "textures-head",
+        "The head three times: in the greys of its light, in the colours of its texture alone, and in both \
+         multiplied.",
+        head,
+    ),
+    Figure::new(
+        "textures-uv",
+        "Left the texture, a face spread out flat. Right the head, redder the larger u is and greener the larger \
+         v is.",
+        coordinates,
+    ),
+    Figure::new(
+        "textures-map",
+        "A triangle in the picture and a triangle of another shape in the unit square of the texture. A point in \
+         the one belongs to a point in the other.",
+        map,
+    ),
+    Figure::new(
+        "textures-texels",
+        "A texture of four by three squares, each with its two numbers. Below it u from 0 to 1, on its left v. A \
+         dot marks the middle of one texel.",
+        texels,
+    ),
+    Figure::new(
+        "textures-strips",
+        "The same row of four texels as four methods see it, from u = −½ to 1½. Truncate is black from 1 on and \
+         begins a quarter early; round lies half a texel to the left; nearest goes on with the border's texels; \
+         repeat begins again.",
+        strips,
+    ),
+    Figure::new(
+        "textures-borders",
+        "A small texture of the letter F and what is around it, by truncate, round, nearest and repeat. Beside \
+         it, the first two are black, the third smears its border, the fourth repeats the letter.",
+        borders,
+    ),
+    Figure::new(
+        "textures-blocks",
+        "Two parts of the texture, the second one much enlarged: there each texel has become a square block.",
+        blocks,
+    ),
+    Figure::new(
+        "textures-sparkle",
+        "Rings that become finer outwards, drawn small. On the left, by nearest, rings appear where there are \
+         none; on the right, by averaging, the fine ones fade to grey.",
+        sparkle,
+    ),
+    Figure::new(
+        "textures-seam",
+        "A band of six fields with a numbered texture around it. Above, one field holds the whole texture, \
+         squeezed and mirrored. Below, the texture goes on without a break.",
+        seam,
+    ),
+    Figure::new(
+        "textures-warp",
+        "A chequered floor that runs into the distance. On the left its lines have a kink along the diagonal; \
+         on the right they are straight.",
+        warp,
+    ),
+];
+
+fn method(name: &str) -> anyhow::Result<&'static Sampler> {
+    Method::find(METHODS, name).map(|method| &method.run).with_context(|| format!("no method `{name}`"))
+}
+
+/// The texture that lies beside the model.
+fn texture() -> anyhow::Result<Image> {
+    Ok(Image::read(&Path::new(DEFAULT_MODEL).with_extension("tga"))?)
+}
+
+fn head() -> anyhow::Result<Drawing> {
+    let (model, texture) = (model()?, texture()?);
+    let [mut light, mut color, mut both] = [(); 3].map(|()| Image::new(600, 600, Format::Rgb));
+    z_f32(&surfaces(&model, Vec3::Z, &light), &mut light);
+    let mut depths = DepthBuffer::new(&color, f32::NEG_INFINITY);
+    for (corners, uvs) in model.faces().zip(model.face_uvs()) {
+        let screen = corners.map(|corner| to_screen(corner, color.size()));
+        fill_nearest(
+            screen,
+            &mut depths,
+            |depth| depth,
+            |x, y, weights| {
+                color.set(x, y, texel(&texture, interpolate(uvs, weights)));
+            },
+        );
+    }
+    (method("nearest")?.draw)(&model, &texture, Vec3::Z, &mut both);
+    beside(&[&light, &color, &both])
+}
+
+/// A texture whose colour at (u, v) says (u, v).
+fn gradient() -> Image {
+    let mut image = Image::new(256, 256, Format::Rgb);
+    for (x, y, _) in image.clone().pixels() {
+        image.set(x, y, Color::rgb(x as u8, y as u8, 64));
+    }
+    image
+}
+
+fn coordinates() -> anyhow::Result<Drawing> {
+    let mut image = Image::new(600, 600, Format::Rgb);
+    (method("nearest")?.draw)(&model()?, &gradient(), Vec3::Z, &mut image);
+    beside(&[&texture()?.scale(600, 600), &image])
+}
+
+fn map() -> anyhow::Result<Drawing> {
+    let at = Vec2::new;
+    let mut sheet = Sheet::new(at(-0.4, -0.75), at(10.0, 4.5));
+    let picture = [at(0.2, 0.3), at(3.9, 0.9), at(1.3, 3.7)];
+    let origin = at(5.6, 0.0);
+    let side = 3.8;
+    let uvs = [at(0.1, 0.55), at(0.75, 0.1), at(0.85, 0.9)];
+    let square = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)].map(|uv| origin + side * uv);
+    let flat = uvs.map(|uv| origin + side * uv);
+    sheet.polygon(&square, "#f4efe0", GREY);
+    let p = at(1.9, 1.6);
+    let shares = weights(picture, p).context("the triangle has an area")?;
+    let q = origin + side * interpolate(uvs, shares);
+    for (triangle, point) in [(picture, p), (flat, q)] {
+        sheet.polygon(&triangle, SKY, BLUE);
+        triangle.iter().for_each(|&corner| sheet.dashed(point, corner, GREY, 1.2));
+        triangle.iter().for_each(|&corner| sheet.dot(corner, BLACK));
+        sheet.dot(point, RED);
+    }
+    for (n, name) in ["A", "B", "C"].into_iter().enumerate() {
+        sheet.text(picture[n] + [at(-0.3, -0.1), at(0.25, -0.2), at(-0.32, 0.0)][n], name, BLACK);
+        sheet.text(flat[n] + [at(-0.1, 0.32), at(0.3, -0.15), at(0.1, -0.38)][n], name, BLACK);
+    }
+    sheet.text(p + at(0.3, 0.2), "P", RED);
+    sheet.text(q + at(-0.15, 0.36), "(u, v)", RED);
+    sheet.text(at(1.9, 4.3), "the picture", BLACK);
+    sheet.text(origin + at(side / 2.0, 4.3), "the texture", BLACK);
+    sheet.text(origin + at(0.0, -0.35), "0", GREY);
+    sheet.text(origin + at(side, -0.35), "1", GREY);
+    sheet.text(origin + at(side / 2.0, -0.35), "u", GREY);
+    sheet.text(origin + at(-0.3, side / 2.0), "v", GREY);
+    sheet.text(origin + at(-0.3, side), "1", GREY);
+    sheet.finish()
+}
+
+fn texels() -> anyhow::Result<Drawing> {
+    let at = Vec2::new;
+    let mut sheet = Sheet::new(at(-1.1, -1.0), at(4.9, 3.3));
+    for (x, y) in (0..3).flat_map(|y| (0..4).map(move |x| (x, y))) {
+        sheet.pixel(x, y, if (x + y) % 2 == 0 { SKY } else { "#d6ecf9" });
+        let low = if (x, y) == (2, 1) { 0.28 } else { 0.0 };
+        sheet.text(at(x as f32 + 0.5, y as f32 + 0.5 - low), &format!("({x}, {y})"), BLACK);
+    }
+    for (x, name) in [(0.0, "0"), (1.0, "¼"), (2.0, "½"), (3.0, "¾"), (4.0, "1")] {
+        sheet.line(at(x, 0.0), at(x, -0.12), BLACK, 1.5);
+        sheet.text(at(x, -0.36), name, BLACK);
+    }
+    for (y, name) in [(0.0, "0"), (1.0, "⅓"), (2.0, "⅔"), (3.0, "1")] {
+        sheet.line(at(0.0, y), at(-0.12, y), BLACK, 1.5);
+        sheet.text(at(-0.36, y), name, BLACK);
+    }
+    sheet.text(at(2.0, -0.78), "u", BLUE);
+    sheet.text(at(-0.8, 1.5), "v", BLUE);
+    sheet.dot(at(2.5, 1.5), RED);
+    sheet.text(at(2.5, 1.75), "(⅝, ½)", RED);
+    sheet.finish()
+}
+
+/// What the methods find along a row of four texels.
+fn strips() -> anyhow::Result<Drawing> {
+    const INKS: [Ink; 4] = [SKY, AMBER, "#8fc9b3", "#d9a3c2"];
+    let mut row = Image::new(4, 1, Format::Rgb);
+    (0..4).for_each(|x| row.set(x, 0, Color::rgb(x as u8 + 1, 0, 0)));
+    let at = Vec2::new;
+    let mut sheet = Sheet::new(at(-0.92, -0.25), at(1.56, 1.62));
+    for (n, method) in METHODS.iter().enumerate() {
+        let low = 1.26 - 0.4 * n as f32;
+        let found = |step: i32| (method.run.sample)(&row, at((step as f32 + 0.5) / 64.0, 0.25)).r;
+        let mut begin = -32;
+        for step in -32..96 {
+            if step == 95 || found(step + 1) != found(begin) {
+                let [left, right] = [begin, step + 1].map(|step| step as f32 / 64.0);
+                let fill = match found(begin) {
+                    0 => BLACK,
+                    texel => INKS[usize::from(texel) - 1],
+                };
+                let corners = [at(left, low), at(right, low), at(right, low + 0.28), at(left, low + 0.28)];
+                sheet.polygon(&corners, fill, "none");
+                if fill != BLACK && right - left > 0.1 {
+                    sheet.text(at((left + right) / 2.0, low + 0.14), &(found(begin) - 1).to_string(), BLACK);
+                }
+                begin = step + 1;
+            }
+        }
+        sheet.text_left_of(at(-0.55, low + 0.14), method.name, BLACK);
+    }
+    for (u, name) in [(-0.5, "−½"), (0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1"), (1.5, "1½")]
+    {
+        sheet.dashed(at(u, 0.0), at(u, 1.58), if u == 0.0 || u == 1.0 { RED } else { FAINT }, 1.5);
+        sheet.text(at(u, -0.13), name, if u == 0.0 || u == 1.0 { RED } else { BLACK });
+    }
+    sheet.finish()
+}
+
+/// The letter F in 8×8 texels.
+fn letter() -> Image {
+    const ROWS: [&str; 8] =
+        ["........", ".#####..", ".#......", ".####...", ".#......", ".#......", ".#......", "........"];
+    let mut image = Image::new(8, 8, Format::Rgb);
+    for (y, row) in ROWS.iter().rev().enumerate() {
+        for (x, texel) in row.bytes().enumerate() {
+            let ground = Color::rgb(60 + 20 * x as u8, 110 + 8 * y as u8, 190);
+            image.set(x as i32, y as i32, if texel == b'#' { Color::rgb(250, 225, 140) } else { ground });
+        }
+    }
+    image
+}
+
+fn borders() -> anyhow::Result<Drawing> {
+    let texture = letter();
+    let pictures: Vec<Image> = METHODS
+        .iter()
+        .map(|method| {
+            let mut image = Image::new(200, 200, Format::Rgb);
+            for (x, y, _) in image.clone().pixels() {
+                let uv = (Vec2::new(x as f32, y as f32) + 0.5) / 100.0 - 0.5;
+                image.set(x, y, (method.run.sample)(&texture, uv));
+            }
+            image
+        })
+        .collect();
+    beside(&pictures.iter().collect::<Vec<_>>())
+}
+
+/// A picture of part of a texture.
+fn part(texture: &Image, low: Vec2, high: Vec2, side: u16) -> Image {
+    let mut image = Image::new(side, side, Format::Rgb);
+    for (x, y, _) in image.clone().pixels() {
+        let share = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(side);
+        image.set(x, y, texel(texture, low + (high - low) * share));
+    }
+    image
+}
+
+fn blocks() -> anyhow::Result<Drawing> {
+    let texture = texture()?;
+    // A corner of the head's mouth.
+    let middle = Vec2::new(0.465, 0.52);
+    let part = |half: f32| part(&texture, middle - half, middle + half, 300);
+    beside(&[&part(0.12), &part(0.015)])
+}
+
+/// Rings that get finer outwards, 1024×1024 texels, in 128×128 pixels.
+fn sparkle() -> anyhow::Result<Drawing> {
+    const TEXELS: u16 = 1024;
+    let mut rings = Image::new(TEXELS, TEXELS, Format::Rgb);
+    for (x, y, _) in rings.clone().pixels() {
+        let from_middle = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(TEXELS) - 0.5;
+        let light = (from_middle.length_squared() * 90.0).fract() < 0.5;
+        rings.set(x, y, if light { Color::rgb(250, 235, 200) } else { Color::rgb(20, 60, 110) });
+    }
+    let nearest = part(&rings, Vec2::ZERO, Vec2::ONE, 100);
+    let mut mean = nearest.clone();
+    for (x, y, _) in nearest.pixels() {
+        let mut sums = [0_u32; 3];
+        for (i, j) in (0..10).flat_map(|j| (0..10).map(move |i| (i, j))) {
+            let uv = (Vec2::new(x as f32, y as f32) + (Vec2::new(i as f32, j as f32) + 0.5) / 10.0) / 100.0;
+            let Color { r, g, b, .. } = texel(&rings, uv);
+            sums = [sums[0] + u32::from(r), sums[1] + u32::from(g), sums[2] + u32::from(b)];
+        }
+        let [r, g, b] = sums.map(|sum| (sum / 100) as u8);
+        mean.set(x, y, Color::rgb(r, g, b));
+    }
+    beside(&[&nearest, &mean])
+}
+
+/// Six colours side by side, each with a light stripe at its left.
+fn stripes() -> Image {
+    let colors =
+        [(86, 160, 211), (242, 193, 78), (0, 122, 90), (213, 94, 0), (168, 72, 127), (120, 125, 130)];
+    let mut image = Image::new(48, 16, Format::Rgb);
+    for (x, y, _) in image.clone().pixels() {
+        let (r, g, b) = colors[x as usize / 8];
+        // A ramp, so that one sees in which direction the texture runs.
+        let light = x % 8 <= y / 2;
+        image.set(x, y, if light { Color::rgb(250, 245, 230) } else { Color::rgb(r, g, b) });
+    }
+    image
+}
+
+/// A band around the model, seen from where the texture ends and begins again.
+fn seam() -> anyhow::Result<Drawing> {
+    let draw = |apart: bool| -> anyhow::Result<Image> {
+        let mut text = String::new();
+        for n in 0..=6 {
+            let x = n as f32 / 3.0 - 1.0;
+            text += &format!("v {x} -1 0\nv {x} 1 0\n");
+        }
+        // u at the left and right end of each field.
+        for n in 0..6 {
+            let sixth = |n: i32| ((n + 3) % 6) as f32 / 6.0;
+            let (left, right) = (sixth(n), if apart && sixth(n + 1) == 0.0 { 1.0 } else { sixth(n + 1) });
+            text += &format!("vt {left} 0\nvt {right} 0\nvt {right} 1\nvt {left} 1\n");
+        }
+        for n in 0..6 {
+            let (v, t) = (2 * n + 1, 4 * n + 1);
+            text += &format!("f {}/{} {}/{} {}/{} {}/{}\n", v, t, v + 2, t + 1, v + 3, t + 2, v + 1, t + 3);
+        }
+        let model = Model::parse(text.as_bytes(), Attributes { uvs: true, normals: false })
+            .map_err(|e| anyhow!(e))?;
+        let mut image = Image::new(450, 75, Format::Rgb);
+        (method("nearest")?.draw)(&model, &stripes(), Vec3::Z, &mut image);
+        Ok(image)
+    };
+    let (broken, whole) = (draw(false)?, draw(true)?);
+    let mut both = Image::new(450, 160, Format::Rgb);
+    broken.pixels().for_each(|(x, y, color)| both.set(x, y + 85, color));
+    whole.pixels().for_each(|(x, y, color)| both.set(x, y, color));
+    Ok(Drawing::Pixels(both, 2))
+}
+
+/// A chequered square that runs into the distance, as two triangles: (u, v) interpolated in the picture, and
+/// in space.
+fn warp() -> anyhow::Result<Drawing> {
+    // Corners in the picture, (u, v), and the reciprocal of the distance.
+    let corners = [
+        (20.0, 20.0, 0.0, 0.0, 1.0),
+        (280.0, 20.0, 1.0, 0.0, 1.0),
+        (202.0, 180.0, 1.0, 1.0, 0.4),
+        (98.0, 180.0, 0.0, 1.0, 0.4),
+    ]
+    .map(|(x, y, u, v, near): (f32, f32, f32, f32, f32)| (Vec2::new(x, y), Vec2::new(u, v), near));
+    let mut board = Image::new(8, 8, Format::Rgb);
+    for (x, y, _) in board.clone().pixels() {
+        let light = (x + y) % 2 == 0;
+        board.set(x, y, if light { Color::rgb(250, 235, 200) } else { Color::rgb(20, 90, 130) });
+    }
+    let draw = |in_space: bool| {
+        let mut image = Image::new(300, 200, Format::Rgb);
+        for [a, b, c] in [[0, 1, 2], [0, 2, 3]].map(|triangle| triangle.map(|n: usize| corners[n])) {
+            fill([a.0, b.0, c.0], image.bounds(), |x, y, weights| {
+                let uvs = [a.1, b.1, c.1];
+                let near = weights * Vec3::new(a.2, b.2, c.2);
+                let shares = if in_space { near / near.element_sum() } else { weights };
+                image.set(x, y, texel(&board, interpolate(uvs, shares)));
+            });
+        }
+        image
+    };
+    beside(&[&draw(false), &draw(true)])
+}

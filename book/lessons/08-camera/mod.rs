@@ -1,0 +1,3 @@
+//! What the book shows of lesson 8, beside its chapter.
+
+pub(crate) mod figures;

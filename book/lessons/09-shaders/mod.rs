@@ -1,0 +1,3 @@
+//! What the book shows of lesson 9, beside its chapter.
+
+pub(crate) mod figures;

@@ -1,0 +1,5 @@
+//! Lesson 1.
+
+mod properties;
+mod snapshots;
+mod stability;

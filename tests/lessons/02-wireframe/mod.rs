@@ -1,0 +1,5 @@
+//! Lesson 2.
+
+mod properties;
+mod snapshots;
+mod stability;

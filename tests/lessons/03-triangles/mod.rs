@@ -1,0 +1,5 @@
+//! Lesson 3.
+
+mod properties;
+mod snapshots;
+mod stability;

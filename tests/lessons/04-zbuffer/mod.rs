@@ -1,0 +1,5 @@
+//! Lesson 4.
+
+mod properties;
+mod snapshots;
+mod stability;

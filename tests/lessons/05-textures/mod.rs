@@ -1,0 +1,5 @@
+//! Lesson 5.
+
+mod properties;
+mod snapshots;
+mod stability;

@@ -1,0 +1,4 @@
+//! Lesson 6.
+
+mod snapshots;
+mod stability;

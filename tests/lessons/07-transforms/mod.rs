@@ -1,0 +1,5 @@
+//! Lesson 7.
+
+mod properties;
+pub(crate) mod snapshots;
+mod stability;

@@ -1,0 +1,65 @@
+use common::{Bounds, Color, Format, Image, Mat4, Vec2, Vec3};
+use transforms::inverse::INVERSES;
+use transforms::rotation::ROTATIONS;
+use transforms::{LESSON, METHODS, place, scale, translate};
+use triangles::fill;
+use verify::{CRATE, SPHERE, assert_similar, assert_text, draw};
+
+/// The letter F in triangles, about the origin.
+pub(crate) fn letter() -> Vec<[Vec3; 3]> {
+    let bar = |[x0, y0, x1, y1]: [f32; 4]| {
+        let [a, b, c, d] = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        [[a, b, c], [a, c, d]]
+    };
+    [[-4.2, -7.1, -1.9, 7.1], [-1.9, 4.8, 4.9, 7.1], [-1.9, -0.6, 3.1, 1.7]]
+        .into_iter()
+        .flat_map(bar)
+        .collect()
+}
+
+/// The letter under a matrix, in the middle of a picture of 25×25.
+fn picture(m: &Mat4) -> Image {
+    let mut image = Image::new(25, 25, Format::Gray);
+    let bounds: Bounds = image.bounds();
+    for corners in letter() {
+        let placed = corners.map(|corner| place(m, corner).unwrap().truncate() + Vec2::splat(12.5));
+        fill(placed, bounds, |x, y, _| image.set(x, y, Color::WHITE));
+    }
+    image
+}
+
+/// A third of a quarter turn, by each way to turn.
+#[test]
+fn every_rotation_turns_a_letter() {
+    for method in ROTATIONS {
+        let turn = Mat4::from_mat3((method.run)(Vec3::Z, 30f32.to_radians()));
+        assert_text(&LESSON, &format!("turned-{}", method.name), &picture(&turn));
+    }
+}
+
+/// A letter moved and stretched, and brought back by each inverse: `transpose` is none for a stretch.
+#[test]
+fn every_inverse_brings_a_letter_back() {
+    for method in INVERSES {
+        let m = translate(Vec3::new(3.0, 1.0, 0.0)) * scale(Vec3::new(1.5, 0.75, 1.0));
+        let back = (method.run)(&m).unwrap();
+        assert_text(&LESSON, &format!("back-{}", method.name), &picture(&(back * m)));
+    }
+}
+
+#[test]
+fn every_method_draws_the_sphere() {
+    for method in METHODS {
+        let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--method", method.name];
+        assert_similar(&LESSON, method.name, &draw("transforms", &arguments));
+    }
+}
+
+/// From just before the sphere, from twice as far, and from infinitely far, where nothing is foreshortened.
+#[test]
+fn the_sphere_from_three_distances() {
+    for distance in ["1.2", "4", "inf"] {
+        let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--distance", distance];
+        assert_similar(&LESSON, &format!("distance-{distance}"), &draw("transforms", &arguments));
+    }
+}

@@ -1,0 +1,5 @@
+//! Lesson 8.
+
+mod properties;
+mod snapshots;
+mod stability;

@@ -1,0 +1,5 @@
+//! Lesson 9.
+
+mod properties;
+mod snapshots;
+mod stability;
