@@ -44,6 +44,7 @@ pub use timer::serve;
 /// The tables of methods, in the order of the lessons.
 const CHARTS: &[Chart] = &[
     lessons::lines::CHART,
+    lessons::lines::COVERAGE_CHART,
     lessons::wireframe::CHART,
     lessons::triangles::CHART,
     lessons::zbuffer::CHART,

@@ -74,21 +74,25 @@ pub(crate) struct Label {
 }
 
 /// Places labels of these sizes next to their anchors, in order: the nearest place that lies in `area` and
-/// touches neither an obstacle nor another label nor, if that can be, a leader. `None` for one that fits nowhere.
+/// touches neither another label nor, if that can be, an obstacle or a leader. `None` for one that fits nowhere.
 pub(crate) fn place(labels: &[([f64; 2], [f64; 2])], obstacles: &[Rect], area: Rect) -> Vec<Option<Label>> {
     let mut placed: Vec<Option<Label>> = Vec::new();
     for &(anchor, size) in labels {
         let taken: Vec<&Label> = placed.iter().flatten().collect();
+        let covers_no_label = |label: &Label| {
+            label.place.within(&area) && !taken.iter().any(|other| other.place.overlaps(&label.place))
+        };
         let covers_nothing = |label: &Label| {
-            label.place.within(&area)
-                && !obstacles.iter().any(|obstacle| obstacle.overlaps(&label.place))
-                && !taken.iter().any(|other| other.place.overlaps(&label.place))
+            covers_no_label(label) && !obstacles.iter().any(|obstacle| obstacle.overlaps(&label.place))
         };
         let crosses = |a: &Label, b: &Label| b.leader.is_some_and(|from| a.place.crossed_by(from, b.anchor));
         let clear = |label: &Label| !taken.iter().any(|other| crosses(label, other) || crosses(other, label));
         let mut places = candidates(anchor, size).filter(covers_nothing);
-        // Where leaders cannot keep clear of labels, a leader may pass behind one.
-        let found = places.find(clear).or_else(|| candidates(anchor, size).find(covers_nothing));
+        // Where leaders cannot keep clear of labels, a leader may pass behind one; where all is full of lines, a
+        // label may lie on one.
+        let anywhere = || candidates(anchor, size);
+        let found = places.find(clear).or_else(|| anywhere().find(covers_nothing));
+        let found = found.or_else(|| anywhere().find(covers_no_label));
         placed.push(found);
     }
     placed

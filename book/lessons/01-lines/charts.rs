@@ -1,12 +1,17 @@
 //! Lesson 1: segments.
 
-use checks::segment::distances;
+use std::collections::BTreeMap;
+
+use checks::segment::{distances, thick_share};
 use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2Swizzles};
 use fastrand::Rng;
 use lines::{Line, METHODS};
 
 use crate::measure::{Effort, Errors, Work};
 use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+
+/// How a method draws.
+type Draw = fn(IVec2, IVec2, &mut Image, Color);
 
 /// The side of the picture that segments are drawn into.
 const SIDE: i32 = 1000;
@@ -36,8 +41,46 @@ pub(crate) const CHART: Chart = Chart {
     wrong: &["step-0.1", "step-0.01", "per-column", "listing"],
     advice: &[
         ("bresenham", "always, unless the line must be smooth: exact, any ends, free outside the picture"),
-        ("wu", "where stairs would show"),
+        ("distance", "where stairs would show"),
+        ("wu", "the same, where the thickness may vary with the direction"),
         ("scaled", "inside the picture, with ends below 2²⁹: as exact, without setting up a window"),
+    ],
+};
+
+/// The same methods by another measure: how thick their lines are, and how smooth.
+pub(crate) const COVERAGE_CHART: Chart = Chart {
+    name: "01-lines-coverage",
+    job: "Lesson 1, a line one pixel thick",
+    methods: || METHODS.iter().map(|method| method.name).collect(),
+    error: Quantity {
+        name: "error of a pixel's share",
+        unit: "of the pixel",
+        limit: (0.1, "within 1/10 of a pixel"),
+    },
+    further: &["ink_%"],
+    samples: "random segments of 9 to 999 px in all directions, without their ends",
+    exhaustive: false,
+    proved: &[],
+    errors: coverage_errors,
+    timed: "segments of 100 px, in a picture of 1000×1000",
+    throughput: "Mpx/s",
+    work,
+    sizes: Sizes { name: "pixels a segment", all: &[100], usual: 100 },
+    stability: Stability {
+        stress: "slope",
+        falling: false,
+        error: Quantity {
+            name: "largest error of a pixel's share",
+            unit: "of the pixel",
+            limit: (0.1, "1/10 of a pixel"),
+        },
+        measure: coverage_stability,
+    },
+    wrong: CHART.wrong,
+    advice: &[
+        ("distance", "where lines of all directions should look alike"),
+        ("wu", "nearly level or upright lines"),
+        ("bresenham", "where stairs do no harm"),
     ],
 };
 
@@ -71,24 +114,20 @@ fn errors(effort: Effort) -> Vec<Errors> {
         for (method, errors) in errors.iter_mut().enumerate() {
             let mut drawn = pixels(method, a, b);
             let (largest, mean) = distances(a, b, &drawn);
-            let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
-            let mut steps: Vec<i32> = drawn.iter().map(|&(x, y, _)| if steep { y } else { x }).collect();
-            steps.sort_unstable();
-            steps.dedup();
             let all = a.x.abs_diff(b.x).max(a.y.abs_diff(b.y)) as usize + 1;
             let missed =
                 [a, b].iter().filter(|end| !drawn.iter().any(|&(x, y, _)| (x, y) == (end.x, end.y))).count();
             let mut reversed = pixels(method, b, a);
             drawn.sort_unstable();
             reversed.sort_unstable();
-            let gaps = 100.0 * all.saturating_sub(steps.len()) as f64 / all as f64;
+            let gaps = 100.0 * all.saturating_sub(steps(a, b, &drawn)) as f64 / all as f64;
             errors.add(largest, mean, &[gaps, missed as f64, if drawn == reversed { 0.0 } else { 100.0 }]);
         }
     }
     errors
 }
 
-/// Segments of that many pixels, in all directions.
+/// Segments of that many pixels, in all directions. Steps without a pixel are no work done.
 fn work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let length = (size as i32 - 1).min(SIDE - 1);
@@ -101,15 +140,91 @@ fn work(size: usize, effort: Effort) -> Vec<Work> {
         if random.bool() { (a, b) } else { (a.yx(), b.yx()) }
     };
     let segments: Vec<(IVec2, IVec2)> = (0..(20_000 / size).max(20)).map(|_| segment()).collect();
-    let amount = (segments.len() * size) as f64;
-    let work = |method: &'static Method<Line>| {
+    let draws = |draw: Draw, amount: usize| {
         let (segments, mut image) = (segments.clone(), Image::new(SIDE as u16, SIDE as u16, Format::Rgb));
-        Work::new(amount, move || {
-            segments.iter().for_each(|&(a, b)| (method.run.draw)(a, b, &mut image, Color::WHITE));
+        Work::new(amount as f64, move || {
+            segments.iter().for_each(|&(a, b)| draw(a, b, &mut image, Color::WHITE));
             image.get(0, 0)
         })
     };
-    METHODS.iter().map(work).collect()
+    let nothing = draws(|_, _, _, _| {}, 0);
+    let work = |(n, method): (usize, &Method<Line>)| {
+        let done = segments.iter().map(|&(a, b)| steps(a, b, &pixels(n, a, b)));
+        draws(method.run.draw, done.sum())
+    };
+    std::iter::once(nothing).chain(METHODS.iter().enumerate().map(work)).collect()
+}
+
+/// How many steps along the major axis have a pixel.
+fn steps(a: IVec2, b: IVec2, drawn: &[(i32, i32, u8)]) -> usize {
+    let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
+    let mut steps: Vec<i32> = drawn.iter().map(|&(x, y, _)| if steep { y } else { x }).collect();
+    steps.sort_unstable();
+    steps.dedup();
+    steps.len()
+}
+
+/// How much of each pixel is covered wrongly, held against a line 1 px thick; the ends apart, where it has a shape
+/// that nobody stated.
+fn coverage_errors(effort: Effort) -> Vec<Errors> {
+    let mut random = effort.random();
+    let mut errors = Errors::table(METHODS.len(), COVERAGE_CHART.further.len());
+    for _ in 0..effort.samples(20_000) {
+        let (a, b) = loop {
+            let (a, b) = random_segment(&mut random);
+            if (a - b).abs().max_element() >= 8 {
+                break (a, b);
+            }
+        };
+        for (method, errors) in errors.iter_mut().enumerate() {
+            let (largest, mean, ink) = coverage_error(method, a, b);
+            errors.add(largest, mean, &[ink]);
+        }
+    }
+    errors
+}
+
+/// The largest and the mean error of a pixel's share, over the pixels that a line 1 px thick touches or that were
+/// drawn, and how much was drawn of the ink that such a line takes.
+fn coverage_error(method: usize, a: IVec2, b: IVec2) -> (f64, f64, f64) {
+    let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
+    let [a_major, b_major] = if steep { [a.y, b.y] } else { [a.x, b.x] };
+    let inside = a_major.min(b_major) + 3..=a_major.max(b_major) - 3;
+    let is_inside = |x: i32, y: i32| inside.contains(if steep { &y } else { &x });
+    let mut drawn: BTreeMap<(i32, i32), u8> = BTreeMap::new();
+    for (x, y, coverage) in pixels(method, a, b).into_iter().filter(|&(x, y, _)| is_inside(x, y)) {
+        let pixel = drawn.entry((x, y)).or_default();
+        *pixel = coverage.max(*pixel);
+    }
+    // All that the thick line touches is within 2 px of where it passes.
+    let slope = f64::from(if steep { b.x - a.x } else { b.y - a.y }) / f64::from(b_major - a_major);
+    for major in inside.clone() {
+        let about =
+            (f64::from(if steep { a.x } else { a.y }) + slope * f64::from(major - a_major)).round() as i32;
+        for minor in about - 2..=about + 2 {
+            drawn.entry(if steep { (minor, major) } else { (major, minor) }).or_default();
+        }
+    }
+    let (mut largest, mut sum, mut count, mut ink, mut all) = (0.0_f64, 0.0, 0_u32, 0.0, 0.0);
+    for (&(x, y), &coverage) in &drawn {
+        let (share, exact) = (f64::from(coverage) / 255.0, thick_share(a, b, x, y));
+        if share > 0.0 || exact > 0.0 {
+            largest = largest.max((share - exact).abs());
+            sum += (share - exact).abs();
+            count += 1;
+        }
+        ink += share;
+        all += exact;
+    }
+    (largest, sum / f64::from(count.max(1)), 100.0 * ink / all)
+}
+
+/// Steeper and steeper lines.
+fn coverage_stability(_: Effort) -> Vec<Series> {
+    let rises = [5, 10, 20, 40, 60, 80, 100, 120, 140, 160, 180, 200];
+    let largest = |method, rise| coverage_error(method, IVec2::ZERO, IVec2::new(200, rise)).0;
+    let series = |method| rises.map(|rise| (f64::from(rise) / 200.0, largest(method, rise))).to_vec();
+    (0..METHODS.len()).map(series).collect()
 }
 
 fn stability(effort: Effort) -> Vec<Series> {
