@@ -9,7 +9,7 @@ use std::panic::Location;
 use std::path::Path;
 
 use common::compare::side_by_side;
-use common::program::{DEFAULT_MODEL, DEFAULT_TEXTURE};
+use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE};
 use common::{Attributes, Image, Model};
 
 use crate::{lessons, pages};

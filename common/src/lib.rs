@@ -9,7 +9,8 @@
 //! | [`lesson`] | [`Lesson`], what a lesson is called |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |
 //! | [`compare`] | what differs between two pictures |
-//! | [`program`] | the command line that all lessons share |
+//! | [`program`] | what all lessons' programs have in common: flags, files, errors |
+//! | [`terminal`] | what a program says |
 //! | [`preview`] | a picture in the terminal |
 //!
 //! Vectors and matrices are [glam](https://docs.rs/glam)'s, re-exported here by name, so that a lesson
@@ -26,6 +27,7 @@ pub mod model;
 mod obj;
 pub mod preview;
 pub mod program;
+pub mod terminal;
 
 pub use color::Color;
 pub use error::Error;

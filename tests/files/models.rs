@@ -1,6 +1,6 @@
 use std::fs;
 
-use common::program::DEFAULT_MODEL;
+use common::program::model::DEFAULT_MODEL;
 use common::{Attributes, Model};
 use proptest::prelude::*;
 use tempfile::tempdir;

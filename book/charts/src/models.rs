@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use common::program::{DEFAULT_MODEL, DEFAULT_TEXTURE};
+use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE};
 use common::{Attributes, Image, Model};
 
 const ALL: Attributes = Attributes { normals: true, uvs: true };

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
-use common::program::DEFAULT_MODEL;
+use common::program::model::DEFAULT_MODEL;
 use common::{Attributes, Color, Format, Image, Method, Model, Vec2, Vec3};
 use textures::{METHODS, Sampler, interpolate, texel};
 use triangles::{barycentric::weights, fill};

@@ -2,22 +2,33 @@
 
 use std::process::ExitCode;
 
-use common::program::{Lesson, run};
-use common::{Attributes, Color};
+use common::program::model::ModelFlag;
+use common::program::{Extras, Program, run};
+use common::{Attributes, Color, Image, Lesson, Method, Model};
+use wireframe::Wireframe;
+
+struct Edges {
+    model: Model,
+}
+
+impl Program for Edges {
+    type Flags = ModelFlag;
+    type Method = Wireframe;
+
+    const LESSON: Lesson = wireframe::LESSON;
+    const METHODS: &[Method<Wireframe>] = wireframe::METHODS;
+    const DEFAULT: &str = "unique-edges";
+
+    fn load(flags: ModelFlag) -> anyhow::Result<Self> {
+        Ok(Self { model: flags.read(Attributes::default())? })
+    }
+
+    fn draw(&mut self, method: &Wireframe, picture: &mut Image) -> anyhow::Result<Extras> {
+        (method.draw)(&self.model, picture, Color::WHITE);
+        Ok(Extras::default())
+    }
+}
 
 fn main() -> ExitCode {
-    run(&Lesson {
-        name: "02-wireframe",
-        about: "Lesson 2: a model's edges.",
-        methods: wireframe::METHODS,
-        default: "unique-edges",
-        flags: &["model"],
-        draw: |flags, method| {
-            let model = flags.read_model(Attributes::default())?;
-            let mut image = flags.canvas(800, 800);
-            (method.draw)(&model, &mut image, Color::WHITE);
-            Ok(image.into())
-        },
-        turntable: None,
-    })
+    run::<Edges>()
 }

@@ -2,54 +2,120 @@
 
 use std::process::ExitCode;
 
-use common::program::{Fill, Lesson, TriangleFlag, run};
-use common::{Attributes, Color, Vec2};
-use triangles::{draw_model, flat_intensity};
+use common::program::flags::LightFlag;
+use common::program::model::ModelFlag;
+use common::program::{Extras, Program, run, values};
+use common::{Attributes, Color, Image, Lesson, Method, Model, Vec2, Vec3};
+use triangles::{Triangle, draw_model, flat_intensity};
+
+/// A triangle, as `--triangle` gives it.
+#[derive(Clone)]
+struct Flat {
+    /// The three corners, in pixels.
+    corners: [Vec2; 3],
+    color: Color,
+}
 
 /// The slides' three triangles.
-const TRIANGLES: [TriangleFlag; 3] = [
-    TriangleFlag {
+const TRIANGLES: [Flat; 3] = [
+    Flat {
         corners: [Vec2::new(10.0, 70.0), Vec2::new(50.0, 160.0), Vec2::new(70.0, 80.0)],
         color: Color::RED,
     },
-    TriangleFlag {
+    Flat {
         corners: [Vec2::new(180.0, 50.0), Vec2::new(150.0, 1.0), Vec2::new(70.0, 180.0)],
         color: Color::WHITE,
     },
-    TriangleFlag {
+    Flat {
         corners: [Vec2::new(180.0, 150.0), Vec2::new(120.0, 160.0), Vec2::new(130.0, 180.0)],
         color: Color::GREEN,
     },
 ];
 
-fn main() -> ExitCode {
-    run(&Lesson {
-        name: "03-triangles",
-        about: "Lesson 3: the pixels that a triangle covers.",
-        methods: triangles::METHODS,
-        default: "edges",
-        flags: &["triangle", "model", "fill", "light"],
-        draw: |flags, method| {
-            if flags.model.is_none() {
-                let mut image = flags.canvas(200, 200);
-                let triangles =
-                    if flags.triangle.is_empty() { TRIANGLES.as_slice() } else { &flags.triangle };
-                for &TriangleFlag { corners, color } in triangles {
-                    (method.draw)(corners, &mut image, color);
+/// How a model's triangles are coloured.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Fill {
+    /// Each triangle in a colour of its own, the same ones in every run.
+    Random,
+    /// Each triangle as bright as it faces the light.
+    Flat,
+}
+
+#[derive(clap::Args)]
+struct Flags {
+    #[command(flatten)]
+    model: ModelFlag,
+
+    /// A triangle instead of the lesson's three, in pixels; may be repeated
+    #[arg(long, value_name = "x0,y0,x1,y1,x2,y2[,rrggbb]", value_parser = flat, allow_hyphen_values = true)]
+    triangle: Vec<Flat>,
+
+    /// How the model's triangles are coloured
+    #[arg(long, value_enum, default_value_t = Fill::Flat)]
+    fill: Fill,
+
+    #[command(flatten)]
+    light: LightFlag,
+}
+
+fn flat(text: &str) -> Result<Flat, String> {
+    let (numbers, color) = values::numbers_and_color::<f32, 6>(text)?;
+    if !numbers.iter().all(|number| number.is_finite()) {
+        return Err("a corner must be finite".into());
+    }
+    let corners = [0, 2, 4].map(|n| Vec2::new(numbers[n], numbers[n + 1]));
+    Ok(Flat { corners, color: color.unwrap_or(Color::WHITE) })
+}
+
+enum Triangles {
+    InThePlane(Vec<Flat>),
+    Model { model: Model, fill: Fill, light: Vec3 },
+}
+
+impl Program for Triangles {
+    type Flags = Flags;
+    type Method = Triangle;
+
+    const LESSON: Lesson = triangles::LESSON;
+    const METHODS: &[Method<Triangle>] = triangles::METHODS;
+    const DEFAULT: &str = "edges";
+
+    fn load(flags: Flags) -> anyhow::Result<Self> {
+        if flags.model.file.is_some() {
+            let model = flags.model.read(Attributes::default())?;
+            return Ok(Self::Model { model, fill: flags.fill, light: flags.light.direction });
+        }
+        Ok(Self::InThePlane(if flags.triangle.is_empty() { TRIANGLES.to_vec() } else { flags.triangle }))
+    }
+
+    fn size(&self) -> (u16, u16) {
+        match self {
+            Self::InThePlane(_) => (200, 200),
+            Self::Model { .. } => (800, 800),
+        }
+    }
+
+    fn draw(&mut self, method: &Triangle, picture: &mut Image) -> anyhow::Result<Extras> {
+        match self {
+            Self::InThePlane(triangles) => {
+                for &Flat { corners, color } in triangles.iter() {
+                    (method.draw)(corners, picture, color);
                 }
-                return Ok(image.into());
             }
-            let model = flags.read_model(Attributes::default())?;
-            let mut image = flags.canvas(800, 800);
-            match flags.fill {
-                Fill::Random => draw_model(&model, method, &mut image, |n, _| Some(Color::random(n as u64))),
-                Fill::Flat => draw_model(&model, method, &mut image, |_, corners| {
-                    let intensity = flat_intensity(corners, flags.light);
+            Self::Model { model, fill: Fill::Random, .. } => {
+                draw_model(model, method, picture, |n, _| Some(Color::random(n as u64)));
+            }
+            Self::Model { model, fill: Fill::Flat, light } => {
+                draw_model(model, method, picture, |_, corners| {
+                    let intensity = flat_intensity(corners, *light);
                     (intensity >= 0.0).then(|| Color::gray(intensity))
-                }),
+                });
             }
-            Ok(image.into())
-        },
-        turntable: None,
-    })
+        }
+        Ok(Extras::default())
+    }
+}
+
+fn main() -> ExitCode {
+    run::<Triangles>()
 }

@@ -2,23 +2,47 @@
 
 use std::process::ExitCode;
 
-use common::Attributes;
-use common::program::{Drawing, Lesson, run};
+use common::program::flags::{DepthFlag, LightFlag};
+use common::program::model::TexturedModelFlags;
+use common::program::{Extras, Program, run};
+use common::{Attributes, Image, Lesson, Method, Model};
+use textures::Sampler;
+
+#[derive(clap::Args)]
+struct Flags {
+    #[command(flatten)]
+    model: TexturedModelFlags,
+    #[command(flatten)]
+    light: LightFlag,
+    #[command(flatten)]
+    depth: DepthFlag,
+}
+
+struct Textures {
+    model: Model,
+    texture: Image,
+    flags: Flags,
+}
+
+impl Program for Textures {
+    type Flags = Flags;
+    type Method = Sampler;
+
+    const LESSON: Lesson = textures::LESSON;
+    const METHODS: &[Method<Sampler>] = textures::METHODS;
+    const DEFAULT: &str = "nearest";
+
+    fn load(flags: Flags) -> anyhow::Result<Self> {
+        let (model, texture) = flags.model.read(Attributes::default())?;
+        Ok(Self { model, texture, flags })
+    }
+
+    fn draw(&mut self, method: &Sampler, picture: &mut Image) -> anyhow::Result<Extras> {
+        let depths = (method.draw)(&self.model, &self.texture, self.flags.light.direction, picture);
+        Ok(Extras { depth: self.flags.depth.picture(|| depths.picture()), ..Extras::default() })
+    }
+}
 
 fn main() -> ExitCode {
-    run(&Lesson {
-        name: "05-textures",
-        about: "Lesson 5: colour from a picture.",
-        methods: textures::METHODS,
-        default: "nearest",
-        flags: &["model", "light", "depth", "texture"],
-        draw: |flags, method| {
-            let model = flags.read_model(Attributes { uvs: true, normals: false })?;
-            let texture = flags.read_texture()?;
-            let mut picture = flags.canvas(800, 800);
-            let depths = (method.draw)(&model, &texture, flags.light, &mut picture);
-            Ok(Drawing { picture, depth: flags.depth.as_ref().map(|_| depths.picture()) })
-        },
-        turntable: None,
-    })
+    run::<Textures>()
 }

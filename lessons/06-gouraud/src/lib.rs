@@ -14,7 +14,6 @@
 
 pub mod normals;
 
-use common::program::tell;
 use common::{Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use textures::{interpolate, texel};
 use triangles::flat_intensity;
@@ -49,14 +48,6 @@ pub struct Drawn {
     pub depths: DepthBuffer<f32>,
     /// How many triangles were left out since a corner of theirs has no place in the picture.
     pub left_out: usize,
-}
-
-/// Says on standard error how many triangles were left out since they reach behind the eye, if any.
-pub fn report_left_out(count: usize) {
-    if count > 0 {
-        let what = if count == 1 { "triangle that reaches" } else { "triangles that reach" };
-        tell(format_args!("left out {count} {what} behind the eye"));
-    }
 }
 
 /// Draws a scene as lessons 4 and 5 place it.

@@ -13,6 +13,7 @@
 //! Conventions: the view's origin is the **centre**, so the eye stands at (0, 0, D), with D the distance from
 //! eye to centre, and [`transforms::projection`] of D follows. Light and normals stay in world space.
 
+pub mod flags;
 pub mod turntable;
 
 use common::{Lesson, Mat3, Mat4, Method, Table, Vec3};
@@ -26,9 +27,6 @@ pub const LESSON: Lesson = Lesson {
     job: "looking at a point",
     tables: &[Table { name: "", job: "Look at a point", rows: || Method::rows(METHODS) }],
 };
-
-/// What a program says where there is no view.
-pub const ONE_POINT: &str = "--eye and --center are one point: move one of them";
 
 /// The view matrix of an eye that looks at a centre, given eye, centre and up; `None` where there is no
 /// direction from one to the other, as in [`basis`].

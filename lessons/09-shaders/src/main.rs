@@ -2,87 +2,126 @@
 
 use std::process::ExitCode;
 
-use camera::{ONE_POINT, lookat, turntable};
-use common::program::{Drawing, Flags, Lesson, UsageError, run};
-use common::{Attributes, Image, Method};
-use gouraud::{corner_normals, report_left_out};
-use shaders::{Render, Rendering, SHADERS, Scene, Target};
+use camera::flags::{TurntableFlag, ViewFlags};
+use camera::lookat;
+use common::program::flags::{DepthFlag, LightFlag};
+use common::program::model::TexturedModelFlags;
+use common::program::{Extras, Output, Program, UsageError, run};
+use common::{Attributes, Image, Lesson, Method, Model, Vec3};
+use gouraud::corner_normals;
+use shaders::{Choose, Rendering, SHADERS, Scene, Target};
 use transforms::{projection, viewport};
 
 /// What the viewport leaves of the picture's side to a length of 1.
 const ZOOM: f32 = 0.4;
 
-fn main() -> ExitCode {
-    run(&Lesson {
-        name: "09-shaders",
-        about: "Lesson 9: any look from one loop.",
-        methods: shaders::METHODS,
-        default: "generic",
-        flags: &[
-            "model",
-            "light",
-            "depth",
-            "texture",
-            "eye",
-            "center",
-            "up",
-            "shader",
-            "levels",
-            "turntable",
-        ],
-        draw: |flags, method| match &flags.shader {
-            Some(name) => {
-                let names = || SHADERS.iter().map(|shader| shader.name).collect::<Vec<_>>().join(", ");
-                let shader = Method::find(SHADERS, name);
-                let unknown = || UsageError(format!("--shader {name}: there are {}", names()));
-                let shader = shader.ok_or_else(unknown)?;
-                draw(flags, &[&shader.run], *method)
-            }
-            None => draw(flags, &[0, 1, 2, 3].map(|n| &SHADERS[n].run), *method),
-        },
-        turntable: Some(turntable::run),
-    })
+#[derive(clap::Args)]
+struct Flags {
+    #[command(flatten)]
+    model: TexturedModelFlags,
+    #[command(flatten)]
+    light: LightFlag,
+    #[command(flatten)]
+    depth: DepthFlag,
+    #[command(flatten)]
+    view: ViewFlags,
+
+    /// One shader alone instead of the sheet of four
+    #[arg(long, value_name = "NAME")]
+    shader: Option<String>,
+
+    /// Steps of brightness of the quantized shader
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..))]
+    levels: u16,
+
+    #[command(flatten)]
+    turntable: TurntableFlag,
 }
 
-/// Draws one shader over the whole picture, or four in two rows, the first ones on top.
-fn draw(flags: &Flags, shaders: &[&Rendering], method: fn(&Rendering) -> Render) -> anyhow::Result<Drawing> {
-    let needs = Attributes {
-        normals: shaders.iter().any(|shader| shader.needs.normals),
-        uvs: shaders.iter().any(|shader| shader.needs.uvs),
-    };
-    let model = flags.read_model(needs)?;
-    let texture = needs.uvs.then(|| flags.read_texture()).transpose()?;
-    let mut picture = flags.canvas(800, 800);
-    let mut depth = flags.depth.as_ref().map(|_| picture.clone());
+/// The model under one shader, or under four in two rows, the first ones on top.
+struct Shaders {
+    shaders: Vec<&'static Rendering>,
+    model: Model,
+    /// Empty where no shader needs them.
+    normals: Vec<[Vec3; 3]>,
+    texture: Option<Image>,
+    flags: Flags,
+}
 
-    let columns = if shaders.len() == 1 { 1 } else { 2 };
-    let (width, height) = (picture.width() / columns, picture.height() / columns);
-    let view = lookat(flags.eye, flags.center, flags.up).ok_or_else(|| UsageError(ONE_POINT.into()))?;
-    let projection = projection(flags.eye.distance(flags.center));
-    let scene = Scene {
-        model: &model,
-        normals: if needs.normals { corner_normals(&model) } else { Vec::new() },
-        texture: texture.as_ref(),
-        light: flags.light,
-        to_screen: viewport(width as f32, height as f32, ZOOM) * projection * view,
-        levels: flags.levels,
-    };
-    let mut left_out = 0;
-    for (n, shader) in shaders.iter().enumerate() {
-        let mut cell = Target::new(Image::new(width as u16, height as u16, picture.format()));
-        // A shader may reject a triangle before anyone knows where it is: the largest count is the true one.
-        left_out = left_out.max(method(shader)(&scene, &mut cell));
-        let (column, row) = (n as i32 % columns, columns - 1 - n as i32 / columns);
-        paste(&cell.image, &mut picture, column * width, row * height);
-        if let Some(depth) = &mut depth {
-            paste(&cell.depths.picture(), depth, column * width, row * height);
-        }
+impl Program for Shaders {
+    type Flags = Flags;
+    type Method = Choose;
+
+    const LESSON: Lesson = shaders::LESSON;
+    const METHODS: &[Method<Choose>] = shaders::METHODS;
+    const DEFAULT: &str = "generic";
+
+    fn load(flags: Flags) -> anyhow::Result<Self> {
+        let shaders = match &flags.shader {
+            Some(name) => vec![find(name)?],
+            None => SHADERS[..4].iter().map(|shader| &shader.run).collect(),
+        };
+        let needs = Attributes {
+            normals: shaders.iter().any(|shader| shader.needs.normals),
+            uvs: shaders.iter().any(|shader| shader.needs.uvs),
+        };
+        let (model, texture) = if needs.uvs {
+            let (model, texture) = flags.model.read(needs)?;
+            (model, Some(texture))
+        } else {
+            (flags.model.read_untextured(needs)?, None)
+        };
+        let normals = if needs.normals { corner_normals(&model) } else { Vec::new() };
+        Ok(Self { shaders, model, normals, texture, flags })
     }
-    report_left_out(left_out);
-    Ok(Drawing { picture, depth })
+
+    fn draw(&mut self, method: &Choose, picture: &mut Image) -> anyhow::Result<Extras> {
+        let flags = &self.flags;
+        let columns = if self.shaders.len() == 1 { 1 } else { 2 };
+        let (width, height) = (picture.width() / columns, picture.height() / columns);
+        let view = projection(flags.view.distance()) * flags.view.matrix(lookat)?;
+        let scene = Scene {
+            model: &self.model,
+            normals: self.normals.clone(),
+            texture: self.texture.as_ref(),
+            light: flags.light.direction,
+            to_screen: viewport(width as f32, height as f32, ZOOM) * view,
+            levels: flags.levels,
+        };
+        let mut depth = flags.depth.picture(|| picture.clone());
+        let mut left_out = 0;
+        for (n, shader) in self.shaders.iter().enumerate() {
+            let mut cell = Target::new(Image::new(width as u16, height as u16, picture.format()));
+            // A shader may reject a triangle before anyone knows where it is: the largest count is the true one.
+            left_out = left_out.max(method(shader)(&scene, &mut cell));
+            let (column, row) = (n as i32 % columns, columns - 1 - n as i32 / columns);
+            paste(&cell.image, picture, column * width, row * height);
+            if let Some((_, depth)) = &mut depth {
+                paste(&cell.depths.picture(), depth, column * width, row * height);
+            }
+        }
+        Ok(Extras { depth, left_out })
+    }
+
+    fn show(&mut self, method: &Choose, output: &Output) -> anyhow::Result<()> {
+        let Some(stops) = self.flags.turntable.stops else { return output.one(self, method) };
+        let from = self.flags.view;
+        output.series(self, method, stops, |shaders, n| shaders.flags.view = from.turned(n, stops))
+    }
+}
+
+/// The shader of that name.
+fn find(name: &str) -> Result<&'static Rendering, UsageError> {
+    let names = || SHADERS.iter().map(|shader| shader.name).collect::<Vec<_>>().join(", ");
+    let unknown = || UsageError(format!("--shader {name}: there are {}", names()));
+    Method::find(SHADERS, name).map(|shader| &shader.run).ok_or_else(unknown)
 }
 
 /// Copies a picture into another, its bottom-left corner to (x, y).
 fn paste(from: &Image, to: &mut Image, x: i32, y: i32) {
     from.pixels().for_each(|(i, j, color)| to.set(x + i, y + j, color));
+}
+
+fn main() -> ExitCode {
+    run::<Shaders>()
 }

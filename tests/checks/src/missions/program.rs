@@ -14,7 +14,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use anyhow::{Context, bail, ensure};
 use common::compare::{Difference, side_by_side};
-use common::program::{print, tell};
+use common::terminal::{eprintln, print};
 use common::{Color, Format, IVec2, Image, preview};
 
 use super::judge::{Finding, Question, Sheet, Verdict};
@@ -59,12 +59,12 @@ pub fn run<F>(mission: &Mission<F>, student: &F, testing: bool) -> ExitCode {
         ["--quiet"] => show(mission, false),
         ["--watch"] => watch(mission),
         _ => {
-            tell(USAGE);
+            eprintln(USAGE);
             return ExitCode::from(2);
         }
     };
     result.unwrap_or_else(|error| {
-        tell(format_args!("error: {error:#}"));
+        eprintln(format_args!("error: {error:#}"));
         ExitCode::FAILURE
     })
 }
@@ -198,7 +198,7 @@ fn show<F>(mission: &Mission<F>, in_terminal: bool) -> anyhow::Result<ExitCode> 
     if let Some(said) =
         answers.first().and_then(unwritten).filter(|_| answers.iter().all(|a| unwritten(a).is_some()))
     {
-        tell(format_args!("Nothing is written yet. Begin at {said}"));
+        eprintln(format_args!("Nothing is written yet. Begin at {said}"));
         return Ok(ExitCode::FAILURE);
     }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::LazyLock;
 
-use common::program::DEFAULT_MODEL;
+use common::program::model::DEFAULT_MODEL;
 use common::{Attributes, Color, Format, Image, Model, Vec3};
 use fastrand::Rng;
 use zbuffer::DepthBuffer;

@@ -1,0 +1,119 @@
+//! Where a program's pictures go: into files, and small ones into the terminal.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+
+use super::{Extras, Program, Shared};
+use crate::terminal::{Progress, eprintln, print};
+use crate::{Format, Image, preview};
+
+/// The pictures' size, files and terminal, as the shared flags ask for them.
+pub struct Output {
+    shared: Shared,
+    /// What files are called unless told otherwise.
+    name: String,
+}
+
+impl Output {
+    pub(super) fn new(shared: Shared, name: String) -> Self {
+        Self { shared, name }
+    }
+
+    /// The file that the picture is to go to, if one is named.
+    #[must_use]
+    pub fn file(&self) -> Option<&Path> {
+        self.shared.out.as_deref()
+    }
+
+    /// A black picture of the size asked for, or else of the program's own.
+    #[must_use]
+    pub fn canvas<P: Program>(&self, program: &P) -> Image {
+        let (width, height) = self.shared.size.unwrap_or_else(|| program.size());
+        Image::new(width, height, Format::Rgb)
+    }
+
+    /// Draws one picture, writes it, shows it in the terminal, and says where it is.
+    ///
+    /// # Errors
+    /// Where it cannot be drawn, or a file not be written.
+    pub fn one<P: Program>(&self, program: &mut P, method: &P::Method) -> anyhow::Result<()> {
+        let mut picture = self.canvas(program);
+        let extras = draw(program, method, &mut picture)?;
+        if let Some((path, depth)) = extras.depth {
+            depth.write(&path)?;
+        }
+        self.deliver(&picture, &self.name)
+    }
+
+    /// Draws `count` pictures and writes them under the name and their number: NAME-000, NAME-001 and so on.
+    /// `prepare(program, n)` makes the program ready for picture `n`.
+    ///
+    /// # Errors
+    /// As [`one`](Self::one).
+    pub fn series<P: Program>(
+        &self,
+        program: &mut P,
+        method: &P::Method,
+        count: u16,
+        prepare: impl Fn(&mut P, u16),
+    ) -> anyhow::Result<()> {
+        let mut picture = self.canvas(program);
+        let mut progress = Progress::new(count);
+        for n in 0..count {
+            prepare(program, n);
+            picture.buffer_mut().fill(0);
+            draw(program, method, &mut picture)?;
+            for path in self.paths(&self.name)? {
+                picture.write(&numbered(&path, n))?;
+            }
+            progress.step();
+        }
+        drop(progress);
+        print(&format!("{count} pictures\n"))
+    }
+
+    /// Writes a picture, shows it in the terminal, and says where it is.
+    pub(super) fn deliver(&self, picture: &Image, name: &str) -> anyhow::Result<()> {
+        let paths = self.paths(name)?;
+        for path in &paths {
+            picture.write(path)?;
+        }
+        if let Some(text) = preview::for_terminal(picture).filter(|_| !self.shared.quiet) {
+            print(&text)?;
+        }
+        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+        print(&format!("{} ({}x{})\n", names.join(", "), picture.width(), picture.height()))
+    }
+
+    /// The file that `--out` names, or else a TGA and a PNG of that name in the folder `out/`, which is made.
+    fn paths(&self, name: &str) -> anyhow::Result<Vec<PathBuf>> {
+        if let Some(path) = self.file() {
+            return Ok(vec![path.to_path_buf()]);
+        }
+        std::fs::create_dir_all("out").context("cannot create the folder out/")?;
+        Ok(["tga", "png"].map(|ending| Path::new("out").join(name).with_extension(ending)).to_vec())
+    }
+}
+
+/// Draws, and tells on standard error which triangles are not in the picture.
+pub(super) fn draw<P: Program>(
+    program: &mut P,
+    method: &P::Method,
+    picture: &mut Image,
+) -> anyhow::Result<Extras> {
+    let extras = program.draw(method, picture)?;
+    match extras.left_out {
+        0 => {}
+        1 => eprintln("left out 1 triangle that reaches behind the eye"),
+        count => eprintln(format_args!("left out {count} triangles that reach behind the eye")),
+    }
+    Ok(extras)
+}
+
+/// The name of picture `number` of a series: `a.png` becomes `a-000.png`.
+fn numbered(path: &Path, number: u16) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+    path.with_file_name(format!("{stem}-{number:03}.{ending}"))
+}
