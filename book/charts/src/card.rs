@@ -97,14 +97,14 @@ fn style(layout: &Layout) -> String {
 
 /// The room that a text takes: no font that readers are likely to have is wider.
 pub(crate) fn text_width(text: &str, height: f64) -> f64 {
-    text.chars().count() as f64 * height * 0.56
+    text.chars().count() as f64 * height * 0.55
 }
 
 /// A text in lines of at most that width, where it has spaces.
 fn wrap(text: &str, height: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
-        match lines.last_mut().filter(|line| text_width(&format!("{line} {word}"), height * 0.92) <= width) {
+        match lines.last_mut().filter(|line| text_width(&format!("{line} {word}"), height * 0.9) <= width) {
             Some(line) => *line = format!("{line} {word}"),
             None => lines.push(word.into()),
         }

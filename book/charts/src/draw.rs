@@ -240,6 +240,8 @@ pub(crate) struct Line {
     pub(crate) points: Series,
     /// The point that is ringed.
     pub(crate) ringed: Option<usize>,
+    /// Whether a method does the job whose line it is.
+    pub(crate) does_it: bool,
 }
 
 /// Draws a chart of lines.
@@ -272,8 +274,8 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
             line.points.iter().map(|point| card.at([x_scale.at(point.0), y_scale.at(point.1)])).collect();
         let (class, dashes) = stroke(line.method);
         // The first ones are the thickest, so that lines on top of each other are all seen.
-        let width = 2 + (of.lines.len() - 1 - n).min(6);
-        card.path(&path, &class, width as f64, dashes);
+        let width = 1.8 + 0.6 * (of.lines.len() - 1 - n).min(5) as f64;
+        card.path(&path, &class, width, dashes);
         path.iter().for_each(|point| card.mark(*point, Mark::Dot, line.method, 1.0));
         if let Some(ringed) = line.ringed {
             card.mark(path[ringed], Mark::Halo, line.method, 1.0);
@@ -299,17 +301,22 @@ fn along(a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = Rect> {
 }
 
 /// Methods with the same points as one line each.
-pub(crate) fn alike(methods: &[&str], series: &[Series]) -> Vec<Line> {
+pub(crate) fn alike(methods: &[&str], wrong: &[&str], series: &[Series]) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for (n, (method, points)) in methods.iter().zip(series).enumerate() {
         match lines.iter_mut().find(|line| line.points == *points) {
             Some(line) => {
                 line.name.push_str(", ");
                 line.name.push_str(method);
+                line.does_it |= !wrong.contains(method);
             }
-            None => {
-                lines.push(Line { name: (*method).into(), method: n, points: points.clone(), ringed: None })
-            }
+            None => lines.push(Line {
+                name: (*method).into(),
+                method: n,
+                points: points.clone(),
+                ringed: None,
+                does_it: !wrong.contains(method),
+            }),
         }
     }
     lines
@@ -329,9 +336,10 @@ mod tests {
 
     #[test]
     fn methods_with_equal_points_share_a_line() {
-        let lines = alike(&["a", "b", "c"], &[vec![(1.0, 0.0)], vec![(1.0, 2.0)], vec![(1.0, 0.0)]]);
-        let lines: Vec<(&str, usize)> = lines.iter().map(|line| (line.name.as_str(), line.method)).collect();
-        assert_eq!(lines, [("a, c", 0), ("b", 1)]);
+        let lines = alike(&["a", "b", "c"], &["b"], &[vec![(1.0, 0.0)], vec![(1.0, 2.0)], vec![(1.0, 0.0)]]);
+        let lines: Vec<(&str, usize, bool)> =
+            lines.iter().map(|line| (line.name.as_str(), line.method, line.does_it)).collect();
+        assert_eq!(lines, [("a, c", 0, true), ("b", 1, false)]);
     }
 
     #[test]

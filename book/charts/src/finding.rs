@@ -38,57 +38,65 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
     )
 }
 
-/// Of lines whose first failures are ringed: which holds out, and which fails first, and where.
+/// Of lines whose first failures are ringed: which holds out, and which fails first, and where. What does another job
+/// is not spoken of.
 pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
+    let lines: Vec<&Line> = lines.iter().filter(|line| line.does_it).collect();
     let never: Vec<&str> =
         lines.iter().filter(|line| line.ringed.is_none()).map(|line| line.name.as_str()).collect();
-    let failing = lines.iter().filter_map(|line| Some((line.ringed?, line)));
-    let (first, last) = (failing.clone().min_by_key(|(at, _)| *at), failing.max_by_key(|(at, _)| *at));
+    let failing = lines.iter().filter_map(|line| Some((line.ringed?, *line)));
     let at = |at: usize, line: &Line| super::figures::readable(line.points[at].0);
-    match (first, last, never.is_empty()) {
-        (Some((n, line)), _, false) => {
-            let verb = if never.len() == 1 && !never[0].contains(',') { "holds" } else { "hold" };
-            format!("{} {verb} throughout; {} fails first, at {}", listed(&never), line.name, at(n, line))
+    let first = failing.clone().min_by_key(|(at, _)| *at);
+    let last = failing.max_by_key(|(at, _)| *at);
+    let (Some((n, first)), Some((m, last))) = (first, last) else {
+        return format!("None fails, whatever the {stress}");
+    };
+    let fail = if first.name.contains(',') { "fail" } else { "fails" };
+    let (who, begin) = (&first.name, at(n, first));
+    match never[..] {
+        [] if n == m => format!("{who} {fail} from {begin} on"),
+        [] => format!("{who} {fail} first, at {begin}; {} last, at {}", last.name, at(m, last)),
+        [name] if !name.contains(',') => format!("{name} holds throughout; {who} {fail} first, at {begin}"),
+        ref names => {
+            let names = listed(names);
+            let names = if names.matches(' ').count() > 3 { "all others" } else { &names };
+            format!("{who} {fail} first, at {begin}; {names} hold throughout")
         }
-        (Some((n, line)), Some((m, longest)), true) if n != m => format!(
-            "{} fails first, at {}; {} holds longest, to {}",
-            line.name,
-            at(n, line),
-            longest.name,
-            at(m, longest)
-        ),
-        (Some((n, line)), _, true) => {
-            let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
-            format!("{} fail alike, from {} on ({stress})", listed(&names), at(n, line))
-        }
-        _ => format!("None fails, whatever the {stress}"),
     }
 }
 
-/// Of the cost at each size: which is the cheapest, and where that changes.
+/// Of the cost at each size: which method is the fastest, and where that changes. One that is hardly slower stays the
+/// fastest: each is chosen to stay so over as many sizes as may be, the last one of the table where they are equal.
 pub(crate) fn growth(chart: &Chart, points: &[Point]) -> String {
-    let does_it = |point: &&Point| !chart.wrong.contains(&point.method.as_str());
-    let mut cheapest: Vec<(&str, &str, &str)> = Vec::new();
-    for size in sizes(points) {
-        let here = points.iter().filter(|point| point.at == size).filter(does_it);
-        let Some(best) = here.min_by(|a, b| number(&a.value).total_cmp(&number(&b.value))) else { continue };
-        match cheapest.last_mut().filter(|last| last.0 == best.method) {
-            Some(last) => last.2 = size,
-            None => cheapest.push((&best.method, size, size)),
-        }
+    const HARDLY: f64 = 1.25;
+    let sizes = sizes(points);
+    let methods: Vec<&str> =
+        (chart.methods)().into_iter().filter(|name| !chart.wrong.contains(name)).collect();
+    let cost = |method: &str, size: &str| {
+        let point = points.iter().find(|point| point.method == method && point.at == size);
+        point.map_or(f64::INFINITY, |point| number(&point.value))
+    };
+    let is_fastest = |method: &str, size: &str| {
+        methods.iter().all(|other| cost(method, size) <= HARDLY * cost(other, size))
+    };
+    let mut parts: Vec<(&str, &str, &str)> = Vec::new();
+    let mut at = 0;
+    while at < sizes.len() {
+        let reach = |method: &str| sizes[at..].iter().take_while(|size| is_fastest(method, size)).count();
+        let Some(best) = methods.iter().max_by_key(|method| reach(method)) else { break };
+        let end = at + reach(best).max(1);
+        parts.push((best, sizes[at], sizes[end - 1]));
+        at = end;
     }
     let what = chart.sizes.name;
-    match cheapest[..] {
-        [(method, ..)] => format!("{method} is the fastest at every number of {what}"),
-        [] => String::new(),
-        _ => {
-            let parts = cheapest.iter().enumerate().map(|(n, (method, from, to))| match n {
-                0 => format!("{method} is the fastest up to {to} {what}"),
-                _ => format!("{method} from {from}"),
-            });
-            parts.collect::<Vec<_>>().join(", ")
-        }
+    if let [(method, ..)] = parts[..] {
+        return format!("None is faster than {method} at any number of {what}");
     }
+    let parts = parts.iter().enumerate().map(|(n, (method, from, to))| match n {
+        0 => format!("{method} is the fastest up to {to} {what}"),
+        _ => format!("{method} from {from}"),
+    });
+    parts.collect::<Vec<_>>().join(", ")
 }
 
 /// The sizes, in order.
@@ -111,4 +119,47 @@ fn listed(names: &[&str]) -> String {
 /// A ratio in words.
 pub(crate) fn times(ratio: f64) -> String {
     if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{ratio:.0} times") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(name: &str, ringed: Option<usize>) -> Line {
+        let points = vec![(1.0, 0.0), (100.0, 2.0), (1e6, 3.0)];
+        Line { name: name.into(), method: 0, points, ringed, does_it: true }
+    }
+
+    #[test]
+    fn what_holds_and_what_fails_first_is_told() {
+        let text = |lines: &[Line]| stability(lines, "length");
+        assert_eq!(text(&[line("a", Some(1)), line("b", None)]), "b holds throughout; a fails first, at 100");
+        assert_eq!(text(&[line("a", Some(1)), line("b", Some(2))]), "a fails first, at 100; b last, at 10⁶");
+        assert_eq!(text(&[line("a, b", Some(0)), line("c", Some(0))]), "a, b fail from 1 on");
+        assert_eq!(text(&[line("a", None)]), "None fails, whatever the length");
+        let another = Line { does_it: false, ..line("c", Some(0)) };
+        let lines = [another, line("a", Some(1)), line("b", None)];
+        assert_eq!(text(&lines), "b holds throughout; a fails first, at 100");
+        let all = [line("a", Some(1)), line("b, c, d, e, f", None), line("g", None)];
+        assert_eq!(text(&all), "a fails first, at 100; all others hold throughout");
+    }
+
+    #[test]
+    fn who_is_hardly_slower_stays_the_fastest() {
+        let chart = super::super::CHARTS.iter().find(|chart| chart.name == "03-triangles").unwrap();
+        let of = |method: &str, costs: [f64; 3]| -> Vec<Point> {
+            let point = |(at, cost): (&str, f64)| Point {
+                method: method.into(),
+                at: at.into(),
+                value: cost.to_string(),
+            };
+            ["1", "10", "100"].into_iter().zip(costs).map(point).collect()
+        };
+        let points =
+            [of("sweep", [1.0, 2.0, 9.0]), of("edges", [3.0, 1.9, 1.0]), of("outline", [0.1, 0.1, 0.1])];
+        let expected = "sweep is the fastest up to 10 pixels a triangle, edges from 100";
+        assert_eq!(growth(chart, &points.concat()), expected);
+        let points = [of("sweep", [1.0, 2.0, 9.0]), of("edges", [1.2, 1.9, 1.0])].concat();
+        assert_eq!(growth(chart, &points), "None is faster than edges at any number of pixels a triangle");
+    }
 }

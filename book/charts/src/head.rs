@@ -104,6 +104,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         method,
         points: points(name, error),
         ringed: None,
+        does_it: true,
     };
     let reading = format!("The same head in some {FINEST} triangles is taken for right. {SIDE}×{SIDE} px.");
     let of_outline = Lines {

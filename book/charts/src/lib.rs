@@ -441,7 +441,7 @@ fn series(chart: &Chart, points: &[Point]) -> Vec<Series> {
 /// Error against stress, methods that behave alike as one line, their first failures ringed.
 fn stability_chart<'a>(chart: &'a Chart, points: &[Point], caption: &str) -> draw::Lines<'a> {
     let error = &chart.stability.error;
-    let mut lines = draw::alike(&(chart.methods)(), &series(chart, points));
+    let mut lines = draw::alike(&(chart.methods)(), chart.wrong, &series(chart, points));
     for line in &mut lines {
         line.ringed = line.points.iter().position(|point| point.1 > error.limit.0);
     }
@@ -470,6 +470,7 @@ fn growth_chart<'a>(chart: &'a Chart, points: &[Point], caption: &str) -> draw::
         method,
         points,
         ringed: None,
+        does_it: !chart.wrong.contains(&name),
     };
     draw::Lines {
         name: chart.name,
@@ -539,3 +540,6 @@ fn again(charts: &[&Chart], times: u32, mut run: Run) -> anyhow::Result<()> {
     println!("measured {times} times: the methods that none beats are those of the book's charts");
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

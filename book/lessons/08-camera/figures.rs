@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use camera::turntable::turned;
-use camera::{METHODS, View, basis, lookat};
+use camera::{Look, METHODS, View, basis, relative};
 use common::{Image, Mat3, Method, Vec2, Vec3};
 use gouraud::{Scene, corner_normals, gouraud};
 use transforms::{place, projection, viewport};
@@ -95,20 +95,22 @@ impl Shot {
 }
 
 /// The model, moved together with the eye that looks at it.
-fn view(view: View, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
+fn view(look: Look, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let Shot { eye, center, zoom, light } = *shot;
     let (model, texture) = (model()?, texture()?);
     let mut image = canvas(500);
     let size = image.size();
-    let view = view(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
-    let all = viewport(size.x, size.y, zoom) * projection(eye.distance(center)) * view;
+    let View { origin, matrix } =
+        look(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
+    let all = viewport(size.x, size.y, zoom) * projection(eye.distance(center)) * matrix;
     let light = light.normalize();
     let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light };
-    gouraud(&scene, &mut image, |point| place(&all, point + moved));
+    gouraud(&scene, &mut image, |point| place(&all, point + moved - origin));
     Ok(image)
 }
 
 fn views(shots: &[Shot]) -> anyhow::Result<Drawing> {
+    let lookat = by_name("lookat")?;
     let pictures = shots.iter().map(|shot| view(lookat, shot, Vec3::ZERO));
     let pictures = pictures.collect::<anyhow::Result<Vec<Image>>>()?;
     beside(&pictures.iter().collect::<Vec<_>>())
@@ -248,12 +250,16 @@ fn steps(center: Vec2, right_order: bool) -> anyhow::Result<Drawing> {
     sheet.finish()
 }
 
+/// The lesson's method of that name.
+fn by_name(name: &str) -> anyhow::Result<Look> {
+    Ok(Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?.run)
+}
+
 fn by_both() -> anyhow::Result<Drawing> {
     let shot =
         Shot { center: Vec3::new(0.0, 0.1, 0.55), zoom: 0.5, ..Shot::of_model(Vec3::new(1.7, 0.5, 1.9)) };
     let by = |name: &str| -> anyhow::Result<Image> {
-        let method = Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?;
-        let mut image = view(method.run, &shot, Vec3::ZERO)?;
+        let mut image = view(by_name(name)?, &shot, Vec3::ZERO)?;
         // The middle, marked.
         for n in -14..=14 {
             for (x, y) in [(250 + n, 250), (250, 250 + n), (250 + n, 249), (249, 250 + n)] {
@@ -301,8 +307,9 @@ fn pole() -> anyhow::Result<Drawing> {
 
 fn far() -> anyhow::Result<Drawing> {
     let shot = Shot::of_model(Vec3::new(0.5, 0.3, 2.4));
+    let lookat = by_name("lookat")?;
     let [a, b, c] = [1e4, 1e5, 1e6].map(|distance| view(lookat, &shot, Vec3::splat(distance)));
-    beside(&[&a?, &b?, &c?])
+    beside(&[&a?, &b?, &c?, &view(relative, &shot, Vec3::splat(1e6))?])
 }
 
 fn turntable() -> anyhow::Result<Drawing> {

@@ -1,9 +1,8 @@
 //! Flags of the programs that look at a point, this lesson's and later ones.
 
+use common::Vec3;
 use common::program::{UsageError, values};
-use common::{Mat4, Vec3};
 
-use crate::View;
 use crate::turntable::turned;
 
 /// `--eye`, `--center` and `--up`.
@@ -23,13 +22,13 @@ pub struct ViewFlags {
 }
 
 impl ViewFlags {
-    /// The view matrix, by one of the lesson's methods.
+    /// The view, by one of the lesson's methods or functions.
     ///
     /// # Errors
     /// Where there is no direction from the eye to the centre.
-    pub fn matrix(&self, view: View) -> Result<Mat4, UsageError> {
+    pub fn look<V>(&self, look: fn(Vec3, Vec3, Vec3) -> Option<V>) -> Result<V, UsageError> {
         let one_point = || UsageError("--eye and --center are one point: move one of them".into());
-        view(self.eye, self.center, self.up).ok_or_else(one_point)
+        look(self.eye, self.center, self.up).ok_or_else(one_point)
     }
 
     /// The same at stop `n` of so many on a full turn, to the right, about the centre.

@@ -79,7 +79,7 @@ impl Program for Shaders {
         let flags = &self.flags;
         let columns = if self.shaders.len() == 1 { 1 } else { 2 };
         let (width, height) = (picture.width() / columns, picture.height() / columns);
-        let view = projection(flags.view.distance()) * flags.view.matrix(lookat)?;
+        let view = projection(flags.view.distance()) * flags.view.look(lookat)?;
         let scene = Scene {
             model: &self.model,
             normals: self.normals.clone(),
