@@ -21,6 +21,7 @@ mod page;
 #[path = "../pages/mod.rs"]
 mod pages;
 mod pictures;
+mod quiz;
 mod quote;
 mod serve;
 mod values;

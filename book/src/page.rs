@@ -12,6 +12,7 @@
 //! | `{{ratio TABLE ROW OVER COLUMN}}` | how many times as large it is in one row as in another |
 //! | `{{results TABLE COLUMN=Heading...}}` | columns of the table |
 //! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
+//! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`](crate::quiz) |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,6 +28,7 @@ use crate::fault::Fault;
 use crate::markup::{escaped, guarded};
 use crate::math::mathml;
 use crate::methods::TABLES;
+use crate::quiz;
 use crate::quote::Quote;
 use crate::values::{Table, spelled};
 
@@ -202,6 +204,7 @@ impl Writer<'_> {
     /// Replaces what stands in double braces outside of code and formulas.
     fn directives(&mut self, elsewhere: &[Range<usize>]) {
         let source = self.source;
+        let mut quizzes = 0;
         for found in DIRECTIVE.captures_iter(source) {
             let whole = found.get_match().range();
             if elsewhere.iter().any(|range| range.start <= whole.start && whole.end <= range.end) {
@@ -210,6 +213,17 @@ impl Writer<'_> {
             let words: Vec<&str> = found[1].split_whitespace().collect();
             if let [kind @ ("figure" | "chart"), name] = words.as_slice() {
                 self.figure(kind, name, whole);
+                continue;
+            }
+            if words == ["quiz"] {
+                quizzes += 1;
+                let made = ensure_margin(self.is_at_margin(whole.start), "a quiz").and_then(|()| {
+                    quiz::edits(source, whole.start, quizzes).map_err(|error| error.to_string())
+                });
+                match made {
+                    Ok(edits) => self.edits.extend(edits),
+                    Err(message) => self.put(whole, Err(message)),
+                }
                 continue;
             }
             let made = self.inserted(&words).map_err(|error| format!("{error:#}"));
@@ -404,6 +418,12 @@ mod tests {
             ("{{insert none}}", "there is no charts/none.md"),
             ("{{methods 99-none}}", "there is no table `99-none`"),
             ("{{nonsense}}", "means nothing here"),
+            ("{{quiz}} Which?", "answers follow its question"),
+            ("Which? {{quiz}}\n\n- (x) a :: b\n- ( ) c :: d", "must begin at the left margin"),
+            ("{{quiz}} Which?\n\n- (x) a :: b", "two answers or more"),
+            ("{{quiz}} Which?\n\n- (x) a :: b\n- (x) c :: d", "one of them right"),
+            ("{{quiz}} Which?\n\n- (x) a :: b\n- ( ) c", "nothing is said about an answer"),
+            ("{{quiz}} Which?\n\n- (x) a :: b\n- (y) c :: d", "begins with `- ( ) `"),
             ("![dot](dot.png)", "show a figure"),
             ("<img src=\"dot.png\">", "show a figure"),
         ] {
@@ -412,6 +432,21 @@ mod tests {
             assert!(fault.to_string().starts_with("book/pages/x.md:3: "), "{fault}");
             assert!(fault.message.contains(said) && !fault.message.contains('\n'), "{source}: {fault}");
             assert!(made.markdown.contains("class=\"fault\""), "{source}");
+        }
+    }
+
+    #[test]
+    fn a_quiz_says_something_about_each_answer() {
+        let made = page("{{quiz}} What is $x$?\n\n- ( ) $y$ :: No.\n  Really.\n- (x) `z` :: Yes.\n\nText.\n");
+        assert_eq!(made.faults, []);
+        let text = &made.markdown;
+        for part in [
+            "<fieldset class=\"quiz\">\n\n What is <math",
+            "\n\n\n<input type=\"radio\" name=\"quiz-1\" id=\"quiz-1-0\"><label for=\"quiz-1-0\"><math",
+            "</math></label><span class=\"why wrong\">No.\n  Really.</span>\n",
+            "<label for=\"quiz-1-1\">`z`</label><span class=\"why right\">Yes.</span>\n\n</fieldset>\n\nText.",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
         }
     }
 

@@ -5,7 +5,7 @@ use std::str::FromStr;
 /// A colour in 8 bits a channel, in the order red, green, blue, alpha (255 is opaque).
 ///
 /// The numbers are gamma-encoded, as they stand in a file. Lessons 1-9 compute with them as if they were
-/// proportional to light; they are not, and lesson 13 shows what that costs.
+/// proportional to light; they are not, and chapter 6 of the book shows what that costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Color {
     /// Red.

@@ -10,7 +10,7 @@
 //!
 //! Conventions: u from 0 at the left to 1 at the right, **v from 0 at the bottom row to 1 at the top**. Texel
 //! (i, j) of a texture of w×h covers u from i/w to (i+1)/w. Colours are multiplied as they are encoded. (u, v)
-//! is interpolated in the picture: under perspective, from lesson 7 on, that warps; lesson 10 mends it.
+//! is interpolated in the picture: under perspective, from lesson 7 on, that warps.
 
 use common::{Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use triangles::flat_intensity;

@@ -58,7 +58,8 @@ pub fn elimination(m: &Mat4) -> Option<Mat4> {
     let mut left: [Vec4; 4] = std::array::from_fn(|row| m.row(row));
     let mut right: [Vec4; 4] = std::array::from_fn(|row| Mat4::IDENTITY.row(row));
     for column in 0..4 {
-        // The largest pivot keeps the factors below 1, so that rounding errors do not grow.
+        // With the largest pivot, no more than 1 times the pivot's row, as it was, is subtracted from a row below it, so
+        // that rounding errors do not grow there.
         let pivot = (column..4).max_by(|&a, &b| left[a][column].abs().total_cmp(&left[b][column].abs()))?;
         left.swap(column, pivot);
         right.swap(column, pivot);

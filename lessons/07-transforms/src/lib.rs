@@ -100,7 +100,7 @@ pub fn projection(d: f32) -> Mat4 {
 // ANCHOR_END: projection
 
 /// The place of a point under a matrix, after division by w; `None` at the eye's height and behind it, where
-/// w ≤ 1e-6. (Lesson 10 clips there instead.)
+/// w ≤ 1e-6.
 // ANCHOR: place
 #[inline]
 #[must_use]

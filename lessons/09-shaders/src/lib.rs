@@ -16,7 +16,7 @@
 //!
 //! Conventions: as in lessons 4 to 8. What has negative brightness is dropped: a whole triangle by the flat
 //! shaders, a fragment by the others. A dropped fragment leaves colour and depth alone. Varyings are
-//! interpolated in the picture, so a texture warps under perspective; lesson 10 mends it.
+//! interpolated in the picture, so a texture warps under perspective.
 
 pub mod lighting;
 pub mod program;

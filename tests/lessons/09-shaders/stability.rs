@@ -176,7 +176,7 @@ fn what_reaches_behind_the_eye_is_left_out_and_counted() {
 
 /// A floor of two triangles half a unit below the eye, seen along z: what the texture shows at each pixel
 /// against what the ray through it meets. As (u, v) is interpolated in the picture, both triangles warp it, each
-/// in its own way; lesson 10 divides by w at each pixel and mends this.
+/// in its own way; dividing by w at each pixel would mend this.
 #[test]
 fn a_floor_warps_under_perspective() {
     let text = b"v -1 -.5 1\nv 1 -.5 1\nv 1 -.5 -1\nv -1 -.5 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
