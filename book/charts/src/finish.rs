@@ -128,7 +128,7 @@ fn works(_: usize) -> anyhow::Result<Vec<Work>> {
 fn measure(run: &mut Run) -> anyhow::Result<()> {
     let (name, model, texture) = scene_model()?;
     let samples = if run.effort.quick { 4 } else { 16 };
-    let expected = exact(model, Some(texture), LIGHT, EYE, |intensity| intensity, (SIDE, samples));
+    let expected = exact(model, Some(texture), LIGHT, EYE, (SIDE, samples));
     let object: Vec<bool> = expected.iter().map(|color| *color != [0.0; 3]).collect();
     let generic = METHODS.last().expect("lesson 9 has methods");
     let speeds = run.speeds(COMPARISON.name, usize::from(SIDE), 3.0)?;

@@ -55,7 +55,8 @@ const CHARTS: &[Chart] = &[
     lessons::transforms::INVERSES_CHART,
     lessons::camera::CHART,
     lessons::shaders::METHODS_CHART,
-    lessons::shaders::SHADERS_CHART,
+    lessons::shaders::WHITE_CHART,
+    lessons::shaders::TEXTURED_CHART,
 ];
 
 /// A comparison of whole pictures: its pieces of work, how it is measured, and how it is drawn.

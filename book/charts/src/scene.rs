@@ -48,19 +48,12 @@ pub(crate) fn draw(render: Render, scene: &Scene, side: u16) -> Target {
     target
 }
 
-/// How a shader's picture would be without its shortcuts: whether it has a texture, and its tones.
-pub(crate) fn ideal(shader: &str) -> (bool, fn(f64) -> f64) {
-    let levels = |intensity: f64| (intensity * f64::from(LEVELS)).floor() / f64::from(LEVELS);
-    (shader.ends_with("texture"), if shader == "quantized" { levels } else { |intensity| intensity })
-}
-
 /// The scene as it should be, in rows from the bottom, 0 to 255.
 pub(crate) fn exact(
     model: &Model,
     texture: Option<&Image>,
     light: Vec3,
     eye: Vec3,
-    tone: fn(f64) -> f64,
     (side, samples): (u16, usize),
 ) -> Vec<[f64; 3]> {
     let attributes = corner_normals(model).into_iter().zip(model.face_uvs());
@@ -73,7 +66,7 @@ pub(crate) fn exact(
         center: Vec3::ZERO,
         up: Vec3::Y,
         zoom: f64::from(ZOOM),
-        tone,
+        tone: |intensity| intensity,
     };
     render(&scene, usize::from(side), samples)
 }
