@@ -1,8 +1,6 @@
 //! Lesson 1: segments.
 
-use std::collections::BTreeMap;
-
-use checks::segment::{distances, thick_share};
+use checks::segment::{distances, thickness};
 use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2Swizzles};
 use fastrand::Rng;
 use lines::{Line, METHODS};
@@ -177,52 +175,20 @@ fn coverage_errors(effort: Effort) -> Vec<Errors> {
             }
         };
         for (method, errors) in errors.iter_mut().enumerate() {
-            let (largest, mean, ink) = coverage_error(method, a, b);
-            errors.add(largest, mean, &[ink]);
+            let found = thickness(a, b, &pixels(method, a, b));
+            errors.add(found.largest, found.mean, &[100.0 * found.ink]);
         }
     }
     errors
 }
 
-/// The largest and the mean error of a pixel's share, over the pixels that a line 1 px thick touches or that were
-/// drawn, and how much was drawn of the ink that such a line takes.
-fn coverage_error(method: usize, a: IVec2, b: IVec2) -> (f64, f64, f64) {
-    let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
-    let [a_major, b_major] = if steep { [a.y, b.y] } else { [a.x, b.x] };
-    let inside = a_major.min(b_major) + 3..=a_major.max(b_major) - 3;
-    let is_inside = |x: i32, y: i32| inside.contains(if steep { &y } else { &x });
-    let mut drawn: BTreeMap<(i32, i32), u8> = BTreeMap::new();
-    for (x, y, coverage) in pixels(method, a, b).into_iter().filter(|&(x, y, _)| is_inside(x, y)) {
-        let pixel = drawn.entry((x, y)).or_default();
-        *pixel = coverage.max(*pixel);
-    }
-    // All that the thick line touches is within 2 px of where it passes.
-    let slope = f64::from(if steep { b.x - a.x } else { b.y - a.y }) / f64::from(b_major - a_major);
-    for major in inside.clone() {
-        let about =
-            (f64::from(if steep { a.x } else { a.y }) + slope * f64::from(major - a_major)).round() as i32;
-        for minor in about - 2..=about + 2 {
-            drawn.entry(if steep { (minor, major) } else { (major, minor) }).or_default();
-        }
-    }
-    let (mut largest, mut sum, mut count, mut ink, mut all) = (0.0_f64, 0.0, 0_u32, 0.0, 0.0);
-    for (&(x, y), &coverage) in &drawn {
-        let (share, exact) = (f64::from(coverage) / 255.0, thick_share(a, b, x, y));
-        if share > 0.0 || exact > 0.0 {
-            largest = largest.max((share - exact).abs());
-            sum += (share - exact).abs();
-            count += 1;
-        }
-        ink += share;
-        all += exact;
-    }
-    (largest, sum / f64::from(count.max(1)), 100.0 * ink / all)
-}
-
 /// Steeper and steeper lines.
 fn coverage_stability(_: Effort) -> Vec<Series> {
     let rises = [5, 10, 20, 40, 60, 80, 100, 120, 140, 160, 180, 200];
-    let largest = |method, rise| coverage_error(method, IVec2::ZERO, IVec2::new(200, rise)).0;
+    let largest = |method, rise| {
+        let (a, b) = (IVec2::ZERO, IVec2::new(200, rise));
+        thickness(a, b, &pixels(method, a, b)).largest
+    };
     let series = |method| rises.map(|rise| (f64::from(rise) / 200.0, largest(method, rise))).to_vec();
     (0..METHODS.len()).map(series).collect()
 }

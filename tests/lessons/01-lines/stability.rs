@@ -1,6 +1,6 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-use checks::segment::{Report, largest_smooth, measure};
+use checks::segment::{Report, largest_smooth, measure, thickness};
 use common::{Bounds, Color, IVec2};
 use lines::METHODS;
 use verify::{method, window};
@@ -9,7 +9,8 @@ use verify::{method, window};
 #[derive(Debug)]
 enum Must {
     /// One pixel a step, the nearest one; both ends; the same from b to a. A smooth line: its centre of mass
-    /// within 1/255 px.
+    /// within 1/255 px; if it is equally thick in every direction instead, each pixel's share within 1/10 of what a line
+    /// 1 px thick covers.
     Exact,
     /// As `Exact`, but for pixels as far from the line as this many px.
     AtMost(f64),
@@ -37,6 +38,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -53,6 +55,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -69,6 +72,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -85,6 +89,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -101,6 +106,7 @@ const TABLE: &[Case] = &[
             ("listing", Fail("ends missed 2, 1.10 px off")),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -117,6 +123,7 @@ const TABLE: &[Case] = &[
             ("listing", Fail("ends missed 2, 1.00 px off")),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -133,6 +140,7 @@ const TABLE: &[Case] = &[
             ("listing", Exact),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -149,6 +157,7 @@ const TABLE: &[Case] = &[
             ("listing", Exact),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -165,6 +174,7 @@ const TABLE: &[Case] = &[
             ("listing", Exact),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -181,6 +191,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -197,6 +208,7 @@ const TABLE: &[Case] = &[
             ("listing", Exact),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -213,6 +225,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -229,6 +242,7 @@ const TABLE: &[Case] = &[
             ("listing", Fail("ends missed 2, 1.18 px off")),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -245,6 +259,7 @@ const TABLE: &[Case] = &[
             ("listing", Fail("ends missed 2, 1.18 px off")),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -261,6 +276,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -277,6 +293,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -293,6 +310,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
     (
@@ -309,6 +327,7 @@ const TABLE: &[Case] = &[
             ("listing", AtMost(1.0)),
             ("bresenham", Exact),
             ("wu", Exact),
+            ("distance", Exact),
         ],
     ),
 ];
@@ -344,8 +363,11 @@ fn examine(name: &str, a: IVec2, b: IVec2) -> (String, Report) {
     let pixels: Vec<_> = forth.iter().map(|&(x, y, _)| (x, y)).collect();
     let report = measure(a, b, &pixels);
     let smooth = forth.iter().any(|pixel| pixel.2 < 255);
-    let error = if smooth { largest_smooth(a, b, &forth) } else { report.largest };
-    let allowed = if smooth { 1.0 / 255.0 } else { 0.5 };
+    let (error, allowed) = match (name, smooth) {
+        ("distance", _) => (thickness(a, b, &forth).largest, 0.1),
+        (_, true) => (largest_smooth(a, b, &forth), 1.0 / 255.0),
+        (_, false) => (report.largest, 0.5),
+    };
     let mut faults = Vec::new();
     let mut note = |count: u64, what: &str| {
         if count > 0 {
@@ -371,7 +393,7 @@ fn examine(name: &str, a: IVec2, b: IVec2) -> (String, Report) {
 
 /// A segment of which a window of 20×20 px shows a piece.
 #[test]
-fn what_cannot_be_seen_costs_bresenham_and_wu_nothing() {
+fn what_cannot_be_seen_costs_the_last_three_nothing() {
     let (a, b) = (IVec2::new(-100_000, -7), IVec2::new(100_000, 32));
     for row in METHODS {
         let (mut plotted, mut seen) = (0, Vec::new());
@@ -385,10 +407,31 @@ fn what_cannot_be_seen_costs_bresenham_and_wu_nothing() {
             "step-0.1" => (10, 1),
             "step-0.01" => (101, 1),
             "bresenham" => (20, 20),
-            "wu" => (40, 40),
+            "wu" | "distance" => (40, 40),
             _ => (200_001, 20),
         };
         assert_eq!((plotted, seen.len()), expected, "{}", row.name);
+    }
+}
+
+/// Wu's light is the same in every column, so that a line at 45° has 1/√2 of the ink of one that is 1 px thick. By the
+/// distance at a right angle it is as thick in every direction.
+#[test]
+fn wu_is_thinner_the_steeper_and_distance_is_not() {
+    for (rise, wu, distance) in [
+        (0, "1.00, off by 0.00", "1.00, off by 0.00"),
+        (80, "0.93, off by 0.13", "1.00, off by 0.06"),
+        (200, "0.71, off by 0.25", "1.00, off by 0.09"),
+    ] {
+        for (name, expected) in [("wu", wu), ("distance", distance)] {
+            let (a, b) = (IVec2::ZERO, IVec2::new(200, rise));
+            let mut pixels = Vec::new();
+            (method(METHODS, name).visit)(a, b, Bounds::EVERYTHING, &mut |x, y, share| {
+                pixels.push((x, y, share))
+            });
+            let found = thickness(a, b, &pixels);
+            assert_eq!(format!("{:.2}, off by {:.2}", found.ink, found.largest), expected, "{name}, {rise}");
+        }
     }
 }
 
