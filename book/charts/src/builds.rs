@@ -59,23 +59,25 @@ impl Builds {
     }
 
     /// Times the pieces of work of that name and size, in bursts spread over the time, the builds in turn in a
-    /// random order.
+    /// random order; those for newer processors too, if asked for.
     pub(crate) fn time(
         &mut self,
         name: &str,
         size: usize,
         seed: u64,
         limit: Duration,
+        newer: bool,
     ) -> anyhow::Result<Vec<Speed>> {
         /// Fewer tell no median.
         const FEWEST: usize = 5;
+        let mut order: Vec<usize> =
+            (0..self.0.len()).filter(|&n| newer || self.0[n].made_for == For::Any).collect();
         let mut amounts = Vec::new();
-        for build in &mut self.0 {
-            amounts = build.ask(&format!("open {name} {size} {seed}"))?;
+        for &n in &order {
+            amounts = self.0[n].ask(&format!("open {name} {size} {seed}"))?;
         }
         let mut random = Rng::with_seed(seed);
         let mut found = vec![Bursts::default(); self.0.len()];
-        let mut order: Vec<usize> = (0..self.0.len()).collect();
         let start = Instant::now();
         while found[0].len() < FEWEST || start.elapsed() < limit {
             random.shuffle(&mut order);
@@ -84,7 +86,8 @@ impl Builds {
             }
         }
         let of = |kind: For| -> Vec<Vec<f64>> {
-            let builds = self.0.iter().zip(&found).filter(|(build, _)| build.made_for == kind);
+            let builds =
+                self.0.iter().zip(&found).filter(|(build, found)| build.made_for == kind && found.len() > 0);
             builds.map(|(_, bursts)| bursts.seconds_a_unit(&amounts)).collect()
         };
         Ok(Speed::all(&of(For::Any), &of(For::V3), found[0].len()))

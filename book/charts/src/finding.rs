@@ -93,6 +93,7 @@ pub(crate) fn growth(chart: &Chart, points: &[Point]) -> String {
         return format!("None is faster than {method} at any number of {what}");
     }
     let parts = parts.iter().enumerate().map(|(n, (method, from, to))| match n {
+        0 if from == to => format!("{method} is the fastest at {to} {what}"),
         0 => format!("{method} is the fastest up to {to} {what}"),
         _ => format!("{method} from {from}"),
     });

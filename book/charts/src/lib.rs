@@ -133,9 +133,10 @@ impl Run {
         Ok(Self { effort, time, machine, builds, folder })
     }
 
-    /// How fast each piece of work of that name and size is, timed for a share of the time of a table.
+    /// How fast each piece of work of that name and size is, timed for a share of the time of a table. For less than a
+    /// whole one, newer processors are left out.
     fn speeds(&mut self, name: &str, size: usize, share: f64) -> anyhow::Result<Vec<speed::Speed>> {
-        self.builds.time(name, size, self.effort.seed, self.time.mul_f64(share))
+        self.builds.time(name, size, self.effort.seed, self.time.mul_f64(share), share >= 1.0)
     }
 
     /// Writes the facts about a measurement, with those of the machine.

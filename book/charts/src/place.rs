@@ -87,10 +87,10 @@ pub(crate) fn place(labels: &[([f64; 2], [f64; 2])], obstacles: &[Rect], area: R
         };
         let crosses = |a: &Label, b: &Label| b.leader.is_some_and(|from| a.place.crossed_by(from, b.anchor));
         let clear = |label: &Label| !taken.iter().any(|other| crosses(label, other) || crosses(other, label));
-        let mut places = candidates(anchor, size).filter(covers_nothing);
+        let mut places = candidates(anchor, size, area).filter(covers_nothing);
         // Where leaders cannot keep clear of labels, a leader may pass behind one; where all is full of lines, a
         // label may lie on one.
-        let anywhere = || candidates(anchor, size);
+        let anywhere = || candidates(anchor, size, area);
         let found = places.find(clear).or_else(|| anywhere().find(covers_nothing));
         let found = found.or_else(|| anywhere().find(covers_no_label));
         placed.push(found);
@@ -99,7 +99,7 @@ pub(crate) fn place(labels: &[([f64; 2], [f64; 2])], obstacles: &[Rect], area: R
 }
 
 /// Places for a label, the best first: beside its anchor, then farther and farther away.
-fn candidates(anchor: [f64; 2], size: [f64; 2]) -> impl Iterator<Item = Label> {
+fn candidates(anchor: [f64; 2], size: [f64; 2], area: Rect) -> impl Iterator<Item = Label> {
     /// Beyond this distance a label needs a leader.
     const NEAR: f64 = 14.0;
     (0..40).flat_map(move |ring| {
@@ -112,7 +112,10 @@ fn candidates(anchor: [f64; 2], size: [f64; 2]) -> impl Iterator<Item = Label> {
                 anchor[0] + cos * distance + cos.signum() * size[0] / 2.0 * (2.0 * cos.abs()).min(1.0),
                 anchor[1] - sin * (distance + size[1] / 2.0),
             ];
-            let place = Rect::about(at, size[0], size[1]);
+            // A long label beside a border is shifted along the line above or below its anchor.
+            let half = size[0] / 2.0;
+            let x = if sin.abs() < 0.7 { at[0] } else { at[0].max(area.left + half).min(area.right - half) };
+            let place = Rect::about([x, at[1]], size[0], size[1]);
             let nearest = [
                 anchor[0].clamp(place.left, place.right),
                 if anchor[0] < place.left || anchor[0] > place.right {
