@@ -1,6 +1,6 @@
 //! The book's figures: drawn anew whenever the book is built, by the course's own code.
 //!
-//! A figure is a row of a table `FIGURES` in the file of its chapter: a name, what a reader who cannot see it
+//! A figure is a row of a table `FIGURES` in the file beside its chapter: a name, what a reader who cannot see it
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
 pub(crate) mod sheet;
@@ -12,26 +12,14 @@ use common::compare::side_by_side;
 use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE};
 use common::{Attributes, Image, Model};
 
-use crate::{lessons, pages};
+use crate::lessons::LESSONS;
+use crate::pages;
 use sheet::Sheet;
 
 /// Every figure of the book.
 pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
-    [
-        pages::front::FIGURES,
-        lessons::lines::figures::FIGURES,
-        lessons::wireframe::figures::FIGURES,
-        lessons::triangles::figures::FIGURES,
-        lessons::zbuffer::figures::FIGURES,
-        lessons::textures::figures::FIGURES,
-        lessons::gouraud::figures::FIGURES,
-        lessons::transforms::figures::FIGURES,
-        lessons::camera::figures::FIGURES,
-        lessons::shaders::figures::FIGURES,
-        pages::wrong::FIGURES,
-    ]
-    .into_iter()
-    .flatten()
+    let of_lessons = LESSONS.iter().map(|lesson| lesson.figures);
+    of_lessons.chain([pages::front::FIGURES, pages::wrong::FIGURES]).flatten()
 }
 
 /// One figure.

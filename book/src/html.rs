@@ -12,6 +12,7 @@ use regex::Regex;
 
 use crate::fault::Fault;
 use crate::figures::{self, Drawing, Figure};
+use crate::lessons::{LESSONS, Lesson};
 use crate::page::{Link, Shown, Sources, expand};
 
 /// The book's own folder.
@@ -31,7 +32,7 @@ pub(crate) fn draw(out: &Path) -> anyhow::Result<()> {
 /// Lists whatever is wrong on a page. The pages are written all the same, with the mistakes marked.
 pub(crate) fn build(out: &Path) -> anyhow::Result<()> {
     let drawings = drawn()?;
-    let faults = pages(Path::new(BOOK), out, &drawings)?;
+    let faults = pages(Path::new(BOOK), LESSONS, out, &drawings)?;
     write(&drawings, &out.join("figures"))?;
     if faults.is_empty() {
         return Ok(());
@@ -59,14 +60,14 @@ fn write(drawings: &Drawings, folder: &Path) -> anyhow::Result<()> {
 }
 
 /// Writes the pages of a book, and returns what is wrong with them.
-fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fault>> {
+fn pages(book: &Path, lessons: &[Lesson], out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fault>> {
     let shown = |drawn: &(&'static Figure, Drawing)| {
         (drawn.0.name, Shown { file: file_name(drawn), alt: drawn.0.alt, size: drawn.1.size() })
     };
     let figures: BTreeMap<&str, Shown> = drawings.iter().map(shown).collect();
     let charts = book.join("pages/charts");
     let sources = Sources { root: &book.join(".."), charts: &charts, figures: &figures };
-    let written = written(book)?;
+    let written = written(book, lessons)?;
     let mut made = BTreeMap::new();
     for (name, file) in &written {
         let text = std::fs::read_to_string(book.join(file))?;
@@ -78,7 +79,11 @@ fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fau
     for (name, page) in &made {
         std::fs::write(staged.path().join(name), &page.markdown)?;
     }
-    std::fs::copy(book.join("pages/SUMMARY.md"), staged.path().join("SUMMARY.md"))?;
+    let contents = std::fs::read_to_string(book.join("pages/SUMMARY.md"))?;
+    std::fs::write(
+        staged.path().join("SUMMARY.md"),
+        contents.replace("{{lessons}}\n", &contents_of(lessons)),
+    )?;
     if charts.is_dir() {
         copy(&charts, &staged.path().join("charts"))?;
     }
@@ -113,7 +118,7 @@ fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fau
     }
     let used: BTreeSet<&str> = made.values().flat_map(|page| &page.figures).map(String::as_str).collect();
     faults.extend(drawings.iter().filter(|drawn| !used.contains(drawn.0.name)).map(|(figure, _)| Fault {
-        file: figure.row.file().replace('\\', "/"),
+        file: figure.row.file().replace('\\', "/").replace("src/../", ""),
         line: figure.row.line() as usize,
         message: format!("no page shows the figure `{}`", figure.name),
     }));
@@ -122,7 +127,7 @@ fn pages(book: &Path, out: &Path, drawings: &Drawings) -> anyhow::Result<Vec<Fau
 }
 
 /// The pages as they are written: their names in the book, and their files from the book's folder.
-fn written(book: &Path) -> anyhow::Result<BTreeMap<PathBuf, PathBuf>> {
+fn written(book: &Path, lessons: &[Lesson]) -> anyhow::Result<BTreeMap<PathBuf, PathBuf>> {
     let mut written = BTreeMap::new();
     for entry in std::fs::read_dir(book.join("pages"))? {
         let name = PathBuf::from(entry?.file_name());
@@ -130,11 +135,23 @@ fn written(book: &Path) -> anyhow::Result<BTreeMap<PathBuf, PathBuf>> {
             written.insert(name.clone(), Path::new("pages").join(name));
         }
     }
-    for entry in std::fs::read_dir(book.join("lessons")).into_iter().flatten() {
-        let lesson = PathBuf::from(entry?.file_name());
-        written.insert(lesson.with_extension("md"), Path::new("lessons").join(&lesson).join("chapter.md"));
+    for lesson in lessons {
+        written.insert(page_of(lesson), lesson.folder().join("chapter.md"));
     }
     Ok(written)
+}
+
+/// The lessons' part of the table of contents.
+fn contents_of(lessons: &[Lesson]) -> String {
+    let line = |lesson: &Lesson| {
+        format!("- [{}. {}]({})\n", lesson.lesson.number, lesson.lesson.title, page_of(lesson).display())
+    };
+    lessons.iter().map(line).collect()
+}
+
+/// The name of a chapter in the book.
+fn page_of(lesson: &Lesson) -> PathBuf {
+    format!("{}.md", lesson.lesson.folder()).into()
 }
 
 /// Copies the files of a folder.
@@ -248,7 +265,7 @@ mod tests {
         for (name, text) in pages {
             std::fs::write(book.join("pages").join(name), text).unwrap();
         }
-        let faults = super::pages(book, &book.join("out"), &Vec::new()).unwrap();
+        let faults = super::pages(book, &[], &book.join("out"), &Vec::new()).unwrap();
         faults.iter().map(ToString::to_string).collect()
     }
 
@@ -293,14 +310,14 @@ mod tests {
         std::fs::write(book.join("book.toml"), "[book]\n").unwrap();
         std::fs::write(book.join("pages/SUMMARY.md"), "[A](a.md)\n").unwrap();
         std::fs::write(book.join("pages/a.md"), "# A\n\n<div>\n\nText\n").unwrap();
-        let error = pages(book, &book.join("out"), &Vec::new()).unwrap_err().to_string();
+        let error = pages(book, &[], &book.join("out"), &Vec::new()).unwrap_err().to_string();
         assert!(error.contains("unclosed HTML tag `<div>` found in `a.md`"), "{error}");
     }
 
     #[test]
     fn the_book_has_no_faults_and_shows_every_figure() {
         let folder = tempfile::tempdir().unwrap();
-        let faults = pages(Path::new(BOOK), folder.path(), &drawn().unwrap()).unwrap();
+        let faults = pages(Path::new(BOOK), LESSONS, folder.path(), &drawn().unwrap()).unwrap();
         let list: Vec<String> = faults.iter().map(ToString::to_string).collect();
         assert!(list.is_empty(), "{}", list.join("\n"));
     }

@@ -6,8 +6,8 @@
 //! cargo run --release -p book -- figures     its figures alone
 //! cargo run --release -p book -- serve       shows it in a browser
 //! cargo run --release -p book -- charts      speed against accuracy, into book/pages/charts/
-//! cargo run -p book -- methods               which method, when: from the figures of the charts
-//! cargo run -p book -- pictures              each lesson's picture, into book/pages/pictures/
+//! cargo run -p book -- methods               the README's tables, and which method, when
+//! cargo run -p book -- pictures              each lesson's picture, into the lessons' folders
 //! ```
 
 mod fault;
@@ -16,13 +16,13 @@ mod html;
 mod lessons;
 mod markup;
 mod math;
-mod methods;
 mod page;
 #[path = "../pages/mod.rs"]
 mod pages;
 mod pictures;
 mod quiz;
 mod quote;
+mod readme;
 mod serve;
 mod values;
 
@@ -60,11 +60,11 @@ struct Folder {
 
 #[derive(Subcommand)]
 enum Make {
-    /// Draw each lesson's picture by its own program, into book/pages/pictures/
+    /// Draw each lesson's picture by its own program, into the lessons' folders
     Pictures,
     /// Measure every method and chart its speed against its accuracy, into book/pages/charts/
     Charts(charts::Flags),
-    /// Write again, from the book's figures, which method to take when: two pages and the README's table
+    /// Write again what lists lessons and methods: the README's tables, and two pages of the charts
     Methods,
     /// Draw the book's figures, into target/book/figures/
     Figures(Folder),
@@ -93,11 +93,12 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.make {
-        Some(Make::Pictures) => {
-            pictures::draw_all(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/pages/pictures")))
-        }
+        Some(Make::Pictures) => pictures::draw_all(),
         Some(Make::Charts(flags)) => charts::run(flags),
-        Some(Make::Methods) => charts::write_summary(),
+        Some(Make::Methods) => {
+            charts::write_summary()?;
+            readme::write()
+        }
         Some(Make::Figures(folder)) => html::draw(&folder.out),
         Some(Make::Serve { folder, port }) => serve::serve(&folder.out, *port),
         Some(Make::Html(folder)) => build(&folder.out),

@@ -25,9 +25,9 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use regex::Regex;
 
 use crate::fault::Fault;
+use crate::lessons::tables;
 use crate::markup::{escaped, guarded};
 use crate::math::mathml;
-use crate::methods::TABLES;
 use crate::quiz;
 use crate::quote::Quote;
 use crate::values::{Table, spelled};
@@ -253,14 +253,12 @@ impl Writer<'_> {
                 std::fs::read_to_string(file).with_context(|| format!("there is no charts/{name}.md"))?
             }
             ["methods", name] => {
-                let table = TABLES.iter().find(|table| table.name == *name);
-                let names = || TABLES.iter().map(|table| table.name).collect::<Vec<_>>().join(", ");
-                table.with_context(|| format!("there is no table `{name}`, but {}", names()))?.markdown()
+                let found = tables().find(|(table, _)| table == name).map(|(_, table)| methods(table));
+                let names = || tables().map(|(table, _)| table).collect::<Vec<_>>().join(", ");
+                found.with_context(|| format!("there is no table `{name}`, but {}", names()))?
             }
             ["all-methods"] => {
-                let part =
-                    |table: &crate::methods::Methods| format!("### {}\n\n{}\n", table.job, table.markdown());
-                TABLES.iter().map(part).collect()
+                tables().map(|(_, table)| format!("### {}\n\n{}\n", table.job, methods(table))).collect()
             }
             _ => bail!("`{{{{{}}}}}` means nothing here; book/src/page.rs says what does", words.join(" ")),
         })
@@ -330,6 +328,13 @@ impl Writer<'_> {
         self.page.markdown.push_str(&self.source[at..]);
         self.page
     }
+}
+
+/// A table of methods, as a table in Markdown.
+fn methods(table: &common::Table) -> String {
+    let row = |row: common::Method<()>| format!("| `{}` | {} | {} |\n", row.name, row.promise, row.failure);
+    let rows: String = (table.rows)().into_iter().map(row).collect();
+    format!("| method | what it promises | where it fails |\n|---|---|---|\n{rows}")
 }
 
 /// The title of a chart, and its width and height.

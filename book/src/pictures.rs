@@ -1,35 +1,35 @@
 //! The lessons' pictures, drawn by the lessons' programs and brought to one size.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, ensure};
 use common::Image;
 
+use crate::lessons::{LESSONS, Lesson};
+
+/// The book's own folder.
+const BOOK: &str = env!("CARGO_MANIFEST_DIR");
+
 /// Width and height of the pictures, in pixels.
 const SIZE: u16 = 400;
 
-/// File name, lesson and flags of each picture.
-const PICTURES: &[(&str, &str, &[&str])] = &[
-    ("01-lines.png", "lines", &[]),
-    ("02-wireframe.png", "wireframe", &[]),
-    ("03-triangles.png", "triangles", &[]),
-    ("03-triangles-random.png", "triangles", &["--model", "--fill", "random"]),
-    ("03-triangles-flat.png", "triangles", &["--model"]),
-    ("04-zbuffer.png", "zbuffer", &[]),
-    ("05-textures.png", "textures", &[]),
-    ("06-gouraud.png", "gouraud", &[]),
-    ("07-transforms.png", "transforms", &[]),
-    ("08-camera.png", "camera", &[]),
-    ("09-shaders.png", "shaders", &[]),
-    ("head.png", "shaders", &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"]),
-];
+/// Every picture: its lesson, its file, and the flags that draw it.
+fn all() -> impl Iterator<Item = (&'static Lesson, PathBuf, &'static [&'static str])> {
+    LESSONS.iter().flat_map(|lesson| {
+        let more = lesson.more_pictures.iter().map(|picture| (picture.name, picture.flags));
+        let file = |name: &str| Path::new(BOOK).join(lesson.folder()).join(name).with_extension("png");
+        std::iter::once(("picture", [].as_slice()))
+            .chain(more)
+            .map(move |(name, flags)| (lesson, file(name), flags))
+    })
+}
 
-/// Draws every picture into a folder, which must exist.
-pub(crate) fn draw_all(folder: &Path) -> anyhow::Result<()> {
-    for (name, lesson, flags) in PICTURES {
-        draw(lesson, flags)?.write(&folder.join(name))?;
-        println!("{name}");
+/// Draws every picture, into the lessons' folders of the book.
+pub(crate) fn draw_all() -> anyhow::Result<()> {
+    for (lesson, file, flags) in all() {
+        draw(lesson.lesson.name, flags)?.write(&file)?;
+        println!("{}", file.display());
     }
     Ok(())
 }
@@ -61,13 +61,14 @@ mod tests {
     /// a pixel at a side to its neighbour: one in 2,000 may differ.
     #[test]
     fn the_committed_pictures_are_what_the_lessons_draw() {
-        let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("pages/pictures");
-        for (name, lesson, flags) in PICTURES {
-            let allowed = if *name < "07" { 0 } else { usize::from(SIZE) * usize::from(SIZE) / 2000 };
-            let out_of_date = match Image::read(&committed.join(name)) {
-                Ok(picture) => faults(&picture, &draw(lesson, flags).unwrap(), 1).len() > allowed,
+        for (lesson, file, flags) in all() {
+            let allowed =
+                if lesson.lesson.number < 7 { 0 } else { usize::from(SIZE) * usize::from(SIZE) / 2000 };
+            let out_of_date = match Image::read(&file) {
+                Ok(picture) => faults(&picture, &draw(lesson.lesson.name, flags).unwrap(), 1).len() > allowed,
                 Err(_) => true,
             };
+            let name = file.display();
             assert!(!out_of_date, "{name} is out of date: run cargo run -p book -- pictures, and look at it");
         }
     }

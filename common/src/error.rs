@@ -27,6 +27,14 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// What should be the folder of a file to be written is one itself.
+    #[error("cannot write {}: {} is a file and no folder", path.display(), folder.display())]
+    NotAFolder {
+        /// The file.
+        path: PathBuf,
+        /// What is no folder.
+        folder: PathBuf,
+    },
     /// The file's name does not say what it holds.
     #[error("{}: the name of a picture must end in .tga or .png", path.display())]
     Ending {

@@ -5,7 +5,9 @@
 //! | [`image`] | [`Image`], an 8-bit picture; [`Bounds`], a rectangle of pixels |
 //! | [`mod@file`] | pictures to and from TGA and PNG, files written whole or not at all |
 //! | [`color`] | [`Color`] |
+//! | [`direction`] | vectors made 1 long, however long they were |
 //! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
+//! | [`placement`] | where a model is put when it is read |
 //! | [`lesson`] | [`Lesson`], what a lesson is called |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |
 //! | [`compare`] | what differs between two pictures |
@@ -18,13 +20,16 @@
 
 pub mod color;
 pub mod compare;
+pub mod direction;
 mod error;
 pub mod file;
 pub mod image;
+mod kind;
 pub mod lesson;
 pub mod method;
 pub mod model;
 mod obj;
+pub mod placement;
 pub mod preview;
 pub mod program;
 pub mod terminal;

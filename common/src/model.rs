@@ -1,10 +1,8 @@
 //! A model: a set of triangles in space, from an OBJ file.
 
-use std::path::Path;
+use glam::{DVec3, Vec2, Vec3};
 
-use glam::{Vec2, Vec3};
-
-use crate::{Error, file, obj};
+use crate::placement::{Fit, Placement};
 
 /// What a lesson asks for beyond positions. What it does not ask for is not looked at, and not in the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,6 +24,15 @@ pub struct Skipped {
     pub first: String,
 }
 
+/// What a file says of its materials, all names as they stand there.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Materials {
+    /// The files in which materials are described (`mtllib`), each once.
+    pub libraries: Vec<String>,
+    /// The materials that faces use (`usemtl`), each once, in the order of their first use.
+    pub used: Vec<String>,
+}
+
 /// Triangles whose corners share positions, and share normals and texture coordinates apart from those: a
 /// seam in the texture does not cut the surface.
 ///
@@ -38,32 +45,16 @@ pub struct Model {
     pub(crate) normal_indices: Vec<[u32; 3]>,
     pub(crate) uvs: Vec<Vec2>,
     pub(crate) uv_indices: Vec<[u32; 3]>,
+    pub(crate) lines: Vec<[u32; 2]>,
     pub(crate) skipped: Option<Skipped>,
+    pub(crate) remarks: Vec<String>,
+    pub(crate) without_uvs: Option<usize>,
+    pub(crate) without_normals: Option<usize>,
+    pub(crate) materials: Materials,
+    pub(crate) fit: Option<Fit>,
 }
 
 impl Model {
-    /// Reads an OBJ file of up to 32 MiB: positions, and what `wanted` asks for. Polygons become fans of
-    /// triangles.
-    ///
-    /// A face is left out and counted in [`skipped`](Self::skipped) if it has fewer than three corners, or
-    /// a corner that does not exist or is not finite. Normals or texture coordinates that any good face
-    /// lacks are absent from the whole model.
-    ///
-    /// # Errors
-    /// One that names the file where it cannot be read or no face is good.
-    pub fn read(path: &Path, wanted: Attributes) -> Result<Self, Error> {
-        obj::parse(&file::read_bytes(path, obj::FILE_LIMIT)?, wanted)
-            .map_err(|reason| Error::Model { path: path.into(), reason })
-    }
-
-    /// The model in the text of an OBJ file; see [`read`](Self::read).
-    ///
-    /// # Errors
-    /// A line that says why there is no good face.
-    pub fn parse(text: &[u8], wanted: Attributes) -> Result<Self, String> {
-        obj::parse(text, wanted)
-    }
-
     /// A model of positions alone.
     ///
     /// # Errors
@@ -76,7 +67,22 @@ impl Model {
         }
     }
 
-    /// The positions that triangles use, each line of the file once, in the order of their first use.
+    /// Makes these the positions, as they are placed.
+    pub(crate) fn place(&mut self, positions: &[DVec3], placement: &Placement) {
+        let all = |place: &dyn Fn(DVec3) -> DVec3| positions.iter().map(|&p| place(p).as_vec3()).collect();
+        self.positions = match placement {
+            Placement::AsItIs => all(&|position| position),
+            Placement::About(origin) => all(&|position| position - origin),
+            Placement::Fit(up) => {
+                let fit = Fit::of(positions, *up);
+                self.normals.iter_mut().for_each(|normal| *normal = fit.turn(normal.as_dvec3()).as_vec3());
+                self.fit = Some(fit);
+                all(&|position| fit.place(position))
+            }
+        };
+    }
+
+    /// The positions that triangles and lines use, each line of the file once, in the order of their first use.
     #[must_use]
     pub fn positions(&self) -> &[Vec3] {
         &self.positions
@@ -125,6 +131,48 @@ impl Model {
     #[must_use]
     pub fn uv(&self, face: usize, corner: usize) -> Vec2 {
         self.uvs[self.uv_indices[face][corner] as usize]
+    }
+
+    /// The lines of `l` elements, as indices into [`positions`](Self::positions), in the file's order.
+    #[must_use]
+    pub fn lines(&self) -> &[[u32; 2]] {
+        &self.lines
+    }
+
+    /// The largest coordinate, whatever its sign: within 1 the model is in view.
+    #[must_use]
+    pub fn reach(&self) -> f32 {
+        self.positions.iter().map(|position| position.abs().max_element()).fold(0.0, f32::max)
+    }
+
+    /// How it was moved and scaled, if it was [fitted](Placement::Fit).
+    #[must_use]
+    pub fn fit(&self) -> Option<&Fit> {
+        self.fit.as_ref()
+    }
+
+    /// The materials that its faces use; nothing unless texture coordinates were asked for.
+    #[must_use]
+    pub fn materials(&self) -> &Materials {
+        &self.materials
+    }
+
+    /// The line of the first face that lacks the texture coordinates that were asked for.
+    #[must_use]
+    pub fn without_uvs(&self) -> Option<usize> {
+        self.without_uvs
+    }
+
+    /// The line of the first face that lacks the normals that were asked for.
+    #[must_use]
+    pub fn without_normals(&self) -> Option<usize> {
+        self.without_normals
+    }
+
+    /// What else is to be told of the file, a sentence each.
+    #[must_use]
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// What was left out of the file, if anything.

@@ -16,9 +16,8 @@ use std::process::ExitCode;
 use anyhow::Context;
 use clap::builder::PossibleValuesParser;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{ArgAction, CommandFactory, FromArgMatches};
+use clap::{ArgAction, ArgMatches, Args, Command, FromArgMatches};
 
-use crate::compare::{Difference, side_by_side};
 use crate::terminal::{eprintln, print};
 use crate::{Image, Lesson, Method};
 
@@ -28,7 +27,7 @@ pub use output::Output;
 /// many times, into a file or a window.
 pub trait Program: Sized {
     /// Its own flags.
-    type Flags: clap::Args;
+    type Flags: Args;
     /// What its table of methods holds.
     type Method: 'static;
 
@@ -80,7 +79,7 @@ pub struct Extras {
 pub struct UsageError(pub String);
 
 /// The flags that every lesson's program has.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Args)]
 pub struct Shared {
     /// The picture to write, .tga or .png by its ending [default: both, in out/]
     #[arg(long, value_name = "FILE")]
@@ -107,22 +106,12 @@ pub struct Shared {
     pub quiet: bool,
 }
 
-/// All flags of a lesson.
-#[derive(clap::Parser)]
-#[command(disable_version_flag = true)]
-struct CommandLine<F: clap::Args> {
-    #[command(flatten)]
-    shared: Shared,
-    #[command(flatten)]
-    own: F,
-}
-
 /// Runs a lesson's program with the arguments of this process. What goes wrong is told in one line on
 /// standard error, with exit code 1, or 2 where the command line is at fault.
 #[must_use]
 pub fn run<P: Program>() -> ExitCode {
     match parse::<P>(std::env::args_os()) {
-        Ok(command_line) => finish(execute::<P>(command_line)),
+        Ok((shared, flags)) => finish(execute::<P>(shared, flags)),
         Err(error) if error.use_stderr() => {
             eprintln(one_line(&error));
             ExitCode::from(2)
@@ -143,26 +132,38 @@ fn finish(result: anyhow::Result<()>) -> ExitCode {
 
 fn parse<P: Program>(
     arguments: impl IntoIterator<Item = OsString>,
-) -> Result<CommandLine<P::Flags>, clap::Error> {
-    let names = || PossibleValuesParser::new(P::METHODS.iter().map(|method| method.name));
-    let mut command = CommandLine::<P::Flags>::command()
-        .about(format!("Lesson {}: {}.", P::LESSON.number, P::LESSON.job))
+) -> Result<(Shared, P::Flags), clap::Error> {
+    let names = P::METHODS.iter().map(|method| method.name).collect();
+    let command = P::Flags::augment_args(Shared::augment_args(Command::new(P::LESSON.name)));
+    let (shared, matches) =
+        parse_shared(command, &P::LESSON, names, P::DEFAULT, arguments.into_iter().collect())?;
+    Ok((shared, P::Flags::from_arg_matches(&matches)?))
+}
+
+/// What all lessons share, and what clap found beside it. (Apart from [`parse`], so that it is compiled once.)
+fn parse_shared(
+    command: Command,
+    lesson: &Lesson,
+    methods: Vec<&'static str>,
+    default: &'static str,
+    arguments: Vec<OsString>,
+) -> Result<(Shared, ArgMatches), clap::Error> {
+    let names = PossibleValuesParser::new(methods);
+    let mut command = command
+        .about(format!("Lesson {}: {}.", lesson.number, lesson.job))
         .mut_arg("method", |arg| {
-            arg.required(false).default_value(P::DEFAULT).value_parser(names()).hide_possible_values(true)
+            arg.required(false).default_value(default).value_parser(names.clone()).hide_possible_values(true)
         })
         .mut_arg("compare", |arg| {
-            arg.value_parser(names())
-                .value_delimiter(',')
-                .action(ArgAction::Append)
-                .hide_possible_values(true)
+            arg.value_parser(names).value_delimiter(',').action(ArgAction::Append).hide_possible_values(true)
         });
     let matches = command.try_get_matches_from_mut(arguments)?;
-    let command_line = CommandLine::from_arg_matches(&matches)?;
-    if !matches!(command_line.shared.compare.len(), 0 | 2) {
+    let shared = Shared::from_arg_matches(&matches)?;
+    if !matches!(shared.compare.len(), 0 | 2) {
         let message = "'--compare <A,B>' takes two methods, as in --compare A,B\n";
         return Err(command.error(ErrorKind::WrongNumberOfValues, message));
     }
-    Ok(command_line)
+    Ok((shared, matches))
 }
 
 /// clap's message without its usage block, on one line. A flag that clap does not know may be another
@@ -173,44 +174,30 @@ fn one_line(error: &clap::Error) -> String {
         && let Some(ContextValue::String(flag)) = error.get(ContextKind::InvalidArg)
         && flag.starts_with('-')
     {
-        message = message.replacen(
-            &format!("'{flag}' found"),
-            &format!("'{flag}': this lesson has no such flag"),
-            1,
-        );
+        let [said, says] = ["' found", "': this lesson has no such flag"].map(|end| format!("'{flag}{end}"));
+        message = message.replacen(&said, &says, 1);
     }
     let lines = message.lines().map(str::trim);
     lines.filter(|line| !line.is_empty() && !line.starts_with("Usage:")).collect::<Vec<_>>().join("; ")
 }
 
-fn execute<P: Program>(command_line: CommandLine<P::Flags>) -> anyhow::Result<()> {
-    let CommandLine { shared, own } = command_line;
+fn execute<P: Program>(shared: Shared, flags: P::Flags) -> anyhow::Result<()> {
     if shared.list {
         return print(&Method::list(P::METHODS));
     }
+    let mut program = P::load(flags)?;
     let method = |name: &str| {
         let method =
             Method::find(P::METHODS, name).with_context(|| format!("there is no method `{name}`"))?;
         anyhow::Ok(&method.run)
     };
-    let compared = shared.compare.clone();
     let drawing = method(&shared.method)?;
+    let compared = shared.compare.iter().map(|name| method(name)).collect::<anyhow::Result<Vec<_>>>()?;
     let output = Output::new(shared, P::LESSON.folder());
-    let mut program = P::load(own)?;
-    let [a, b] = compared.as_slice() else {
-        return program.show(drawing, &output);
-    };
-    let mut draw = |name: &str| {
-        let mut picture = output.canvas(&program);
-        output::draw(&mut program, method(name)?, &mut picture)?;
-        anyhow::Ok(picture)
-    };
-    let (expected, got) = (draw(a)?, draw(b)?);
-    let difference = Difference::between(&expected, &got);
-    let sheet =
-        side_by_side(&[&expected, &got, &difference.picture(&expected)]).map_err(anyhow::Error::msg)?;
-    output.deliver(&sheet, &format!("{}-compare", P::LESSON.folder()))?;
-    print(&format!("{b} against {a}: {difference}\n"))
+    match compared.as_slice() {
+        &[a, b] => output.two(&mut program, a, b),
+        _ => program.show(drawing, &output),
+    }
 }
 
 #[cfg(test)]
@@ -283,23 +270,31 @@ mod tests {
         }
     }
 
-    fn parsed(arguments: &[&str]) -> Result<CommandLine<Flags>, String> {
+    fn parsed(arguments: &[&str]) -> Result<(Shared, Flags), String> {
         let arguments = std::iter::once("test").chain(arguments.iter().copied()).map(Into::into);
         parse::<Pixel>(arguments).map_err(|error| one_line(&error))
     }
 
     #[test]
     fn defaults_are_the_lessons() {
-        let CommandLine { shared, own } = parsed(&[]).unwrap();
+        let (shared, own) = parsed(&[]).unwrap();
         assert_eq!((shared.method.as_str(), own.light.direction), ("green", Vec3::Z));
         let size = |shared| Output::new(shared, String::new()).canvas(&Pixel { x: 0, count: None }).size();
         assert_eq!(size(shared).to_array(), [4.0, 1.0]);
-        assert_eq!(size(parsed(&["--size", "7x5"]).unwrap().shared).to_array(), [7.0, 5.0]);
+        assert_eq!(size(parsed(&["--size", "7x5"]).unwrap().0).to_array(), [7.0, 5.0]);
+    }
+
+    #[test]
+    fn help_says_which_lesson_it_is_and_what_the_method_is() {
+        let Err(help) = parsed(&["--help"]) else { panic!("this is no drawing") };
+        assert!(help.starts_with("Lesson 99: one pixel.; "), "{help}");
+        assert!(help.contains("--list says what each promises [default: green]"), "{help}");
+        assert!(help.contains("Direction from the surface to the light"), "{help}");
     }
 
     #[test]
     fn values_may_begin_with_a_minus_and_flags_be_repeated() {
-        let own = parsed(&["--pair", "-1,2", "--pair", "3,-4", "--light", "-1,0,0"]).unwrap().own;
+        let own = parsed(&["--pair", "-1,2", "--pair", "3,-4", "--light", "-1,0,0"]).unwrap().1;
         assert_eq!((own.pair, own.light.direction), (vec![[-1, 2], [3, -4]], Vec3::NEG_X));
     }
 
@@ -332,7 +327,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("a.png");
         LOADED.set(0);
-        execute::<Pixel>(parsed(&[arguments, &["--out", out.to_str().unwrap()]].concat()).unwrap()).unwrap();
+        let (shared, flags) = parsed(&[arguments, &["--out", out.to_str().unwrap()]].concat()).unwrap();
+        execute::<Pixel>(shared, flags).unwrap();
         let mut files: Vec<_> =
             std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()).collect();
         files.sort();

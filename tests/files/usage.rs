@@ -218,6 +218,27 @@ fn a_turntable_writes_as_many_pictures_as_asked_for() {
     assert!(read("08-camera-000.png") != read("08-camera-001.png"));
 }
 
+/// The turntable draws what was read once: from a pipe, there is no second time.
+#[cfg(unix)]
+#[test]
+fn a_turntable_reads_its_texture_once() {
+    for lesson in ["camera", "shaders"] {
+        let folder = tempdir().unwrap();
+        std::os::unix::fs::symlink("/dev/stdin", folder.path().join("pipe.png")).unwrap();
+        let script = format!(
+            "cat {CRATE} | \"$0\" --model {SPHERE} --texture pipe.png --turntable 3 --size 30x30 --out a.png"
+        );
+        let output = std::process::Command::new("sh")
+            .args(["-c", &script])
+            .arg(verify::program(lesson, folder.path()).get_program())
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{lesson}");
+        assert_eq!(names(folder.path()), ["a-000.png", "a-001.png", "a-002.png", "pipe.png"], "{lesson}");
+    }
+}
+
 #[test]
 fn a_comparison_counts() {
     let folder = tempdir().unwrap();

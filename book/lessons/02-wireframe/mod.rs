@@ -1,3 +1,13 @@
 //! What the book shows of lesson 2, beside its chapter.
 
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: wireframe::LESSON,
+    methods: "each triangle's sides, or each edge once",
+    picture: "A wireframe",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};

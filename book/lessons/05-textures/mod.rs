@@ -1,3 +1,13 @@
 //! What the book shows of lesson 5, beside its chapter.
 
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: textures::LESSON,
+    methods: "two lookups as the slides have them, the nearest texel, repetition",
+    picture: "The head with skin and hair",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};

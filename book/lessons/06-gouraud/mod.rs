@@ -1,3 +1,13 @@
 //! What the book shows of lesson 6, beside its chapter.
 
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: gouraud::LESSON,
+    methods: "none, flat, Gouraud's",
+    picture: "The head without facets",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};

@@ -1,3 +1,13 @@
 //! What the book shows of lesson 8, beside its chapter.
 
 pub(crate) mod figures;
+
+use crate::lessons::Lesson;
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: camera::LESSON,
+    methods: "the slides' view matrix, and the right one",
+    picture: "The head from above and the right",
+    more_pictures: &[],
+    figures: figures::FIGURES,
+};

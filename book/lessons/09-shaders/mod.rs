@@ -1,3 +1,16 @@
 //! What the book shows of lesson 9, beside its chapter.
 
 pub(crate) mod figures;
+
+use crate::lessons::{Lesson, Picture};
+
+pub(crate) const LESSON: Lesson = Lesson {
+    lesson: shaders::LESSON,
+    methods: "five shaders, through `dyn` or generic",
+    picture: "The head four times, flat and smooth, white and textured",
+    more_pictures: &[Picture {
+        name: "head",
+        flags: &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"],
+    }],
+    figures: figures::FIGURES,
+};

@@ -26,12 +26,27 @@ impl ModelFlag {
     /// or that it has no normals where the lesson wants some.
     ///
     /// # Errors
-    /// As [`Model::read`]; and if the lesson wants texture coordinates and the model has none.
+    /// As [`Model::read`]; if the model has lines and no faces; and if the lesson wants texture coordinates and
+    /// the model has none.
     pub fn read(&self, wanted: Attributes) -> anyhow::Result<Model> {
-        let path = self.file.as_deref().unwrap_or(Path::new(DEFAULT_MODEL));
+        let (path, model) = (self.path(), self.read_lines(wanted)?);
+        ensure!(
+            model.faces().len() > 0,
+            "{}: there are lines in it and no faces; lesson 2 draws lines: cargo run -p wireframe -- --model {0}",
+            path.display()
+        );
+        Ok(model)
+    }
+
+    /// As [`read`](Self::read), for a lesson that draws a model's lines as well: it need not have faces.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_lines(&self, wanted: Attributes) -> anyhow::Result<Model> {
+        let path = self.path();
         let model = Model::read(path, wanted)?;
         ensure!(
-            !wanted.uvs || model.face_uvs().len() > 0,
+            !wanted.uvs || model.face_uvs().len() == model.faces().len(),
             "{}: not every face has texture coordinates; export the model with them, or draw it without a texture",
             path.display()
         );
@@ -39,6 +54,10 @@ impl ModelFlag {
             eprintln(format_args!("{}: {note}", path.display()));
         }
         Ok(model)
+    }
+
+    fn path(&self) -> &Path {
+        self.file.as_deref().unwrap_or(Path::new(DEFAULT_MODEL))
     }
 }
 
@@ -49,7 +68,7 @@ fn notes(model: &Model, wanted: Attributes) -> Vec<String> {
     });
     let computed = (wanted.normals && model.face_normals().len() == 0)
         .then(|| "not every face has normals; they are computed".into());
-    skipped.into_iter().chain(computed).collect()
+    skipped.into_iter().chain(model.remarks().iter().cloned()).chain(computed).collect()
 }
 
 /// `--model` and `--texture`.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 
 use super::{Extras, Program, Shared};
+use crate::compare::{Difference, side_by_side};
 use crate::terminal::{Progress, eprintln, print};
 use crate::{Format, Image, preview};
 
@@ -73,8 +74,30 @@ impl Output {
         print(&format!("{count} pictures\n"))
     }
 
+    /// Draws by two methods, shows both pictures beside each other with their difference, and counts it.
+    pub(super) fn two<P: Program>(
+        &self,
+        program: &mut P,
+        a: &P::Method,
+        b: &P::Method,
+    ) -> anyhow::Result<()> {
+        let [mut expected, mut got] = [self.canvas(program), self.canvas(program)];
+        draw(program, a, &mut expected)?;
+        draw(program, b, &mut got)?;
+        self.difference(&expected, &got)
+    }
+
+    fn difference(&self, expected: &Image, got: &Image) -> anyhow::Result<()> {
+        let difference = Difference::between(expected, got);
+        let sheet =
+            side_by_side(&[expected, got, &difference.picture(expected)]).map_err(anyhow::Error::msg)?;
+        self.deliver(&sheet, &format!("{}-compare", self.name))?;
+        let [a, b] = [0, 1].map(|n| self.shared.compare[n].as_str());
+        print(&format!("{b} against {a}: {difference}\n"))
+    }
+
     /// Writes a picture, shows it in the terminal, and says where it is.
-    pub(super) fn deliver(&self, picture: &Image, name: &str) -> anyhow::Result<()> {
+    fn deliver(&self, picture: &Image, name: &str) -> anyhow::Result<()> {
         let paths = self.paths(name)?;
         for path in &paths {
             picture.write(path)?;
@@ -97,11 +120,7 @@ impl Output {
 }
 
 /// Draws, and tells on standard error which triangles are not in the picture.
-pub(super) fn draw<P: Program>(
-    program: &mut P,
-    method: &P::Method,
-    picture: &mut Image,
-) -> anyhow::Result<Extras> {
+fn draw<P: Program>(program: &mut P, method: &P::Method, picture: &mut Image) -> anyhow::Result<Extras> {
     let extras = program.draw(method, picture)?;
     match extras.left_out {
         0 => {}

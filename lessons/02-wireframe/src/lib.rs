@@ -58,12 +58,13 @@ pub const METHODS: &[Method<Wireframe>] = &[
     },
 ];
 
-/// Visits the three sides of each triangle.
+/// Visits the three sides of each triangle, and the model's lines.
 // ANCHOR: three_per_triangle
 pub fn three_per_triangle(model: &Model, mut visit: impl FnMut([u32; 2])) {
     for &[a, b, c] in model.triangles() {
         [[a, b], [b, c], [c, a]].into_iter().for_each(&mut visit);
     }
+    model.lines().iter().copied().for_each(visit);
 }
 // ANCHOR_END: three_per_triangle
 
@@ -84,12 +85,13 @@ fn draw_edge(model: &Model, edge: [u32; 2], image: &mut Image, color: Color) {
 }
 // ANCHOR_END: wireframe
 
-/// The model's edges, each once, as two indices into its positions, the smaller first; sorted.
+/// The model's edges and lines, each once, as two indices into its positions, the smaller first; sorted.
 // ANCHOR: edges
 #[must_use]
 pub fn edges(model: &Model) -> Vec<[u32; 2]> {
     let sides = model.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let mut edges: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let all = sides.chain(model.lines().iter().copied());
+    let mut edges: Vec<[u32; 2]> = all.map(|[a, b]| [a.min(b), a.max(b)]).collect();
     edges.sort_unstable();
     edges.dedup();
     edges

@@ -20,7 +20,7 @@ impl Program for Edges {
     const DEFAULT: &str = "unique-edges";
 
     fn load(flags: ModelFlag) -> anyhow::Result<Self> {
-        Ok(Self { model: flags.read(Attributes::default())? })
+        Ok(Self { model: flags.read_lines(Attributes::default())? })
     }
 
     fn draw(&mut self, method: &Wireframe, picture: &mut Image) -> anyhow::Result<Extras> {

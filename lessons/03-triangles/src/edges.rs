@@ -16,21 +16,28 @@
 //! ±2¹⁶ px are ±2²⁴ in 1/256 px, so their differences are at most 2²⁵. Those to a centre in the triangle's
 //! bounding box are at most 2²⁵ + 2⁸, as the loops step one pixel past the end. So a product of two is below
 //! 2⁵⁰ + 2³⁴, and E, a difference of two products, below 2⁵²; the step from one pixel to the next is at most
-//! 256·2²⁵ = 2³³. So nothing is ever rounded. What lies farther out, up to ±2⁵² px, is computed in the same way
-//! in `i128`, where E is below 2¹²⁴. Beyond that, and for NaN, nothing is drawn.
+//! 256·2²⁵ = 2³³. So nothing is ever rounded.
+//!
+//! **Farther out**, up to ±2⁵² px, differences are at most 2⁶¹ and E at most 2¹²³. There each E is computed by
+//! itself in `i128` and rounded to `f64` last, which keeps its sign and changes it by at most a 2⁵³rd. A row's
+//! ends come from quotients of such numbers, so of its up to 2³² pixels they miss at most one, and the pixels
+//! there are asked one by one. Beyond ±2⁵² px, and for NaN, nothing is drawn.
 
-use std::ops::{Add, Mul, Range, Sub};
+use std::ops::Range;
 
 use common::{Bounds, DVec3, IVec2, Vec2, Vec3};
 
 /// Steps of a coordinate in a pixel: 8 bits, as on common hardware.
-const SUBPIXELS: i64 = 256;
+pub const SUBPIXELS: i64 = 256;
 
-/// Up to where `f64` is used, in pixels on either side of the origin.
+/// Up to where `f64` is exact, in pixels on either side of the origin.
 const NARROW: f32 = (1 << 16) as f32;
 
-/// Up to where `i128` is used.
+/// Up to where `i128` is.
 const WIDE: f32 = (1_u64 << 52) as f32;
+
+/// A point in 1/256 px.
+type Fixed = [i64; 2];
 
 /// Calls `visit(x, y, weights)` for each pixel in `bounds` that the triangle covers, rows from the bottom.
 ///
@@ -38,40 +45,181 @@ const WIDE: f32 = (1_u64 << 52) as f32;
 /// between 0 and 1, their sum 1 to within 1e-6. A triangle without area covers nothing.
 // ANCHOR: fill
 pub fn fill(corners: [Vec2; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, Vec3)) {
-    // NaN is within no limit.
-    let within = |limit: f32| corners.iter().all(|corner| corner.abs().cmple(Vec2::splat(limit)).all());
-    if !within(WIDE) {
-        return;
-    }
-    let snapped = corners.map(snap);
-    let bounds = box_of(snapped, bounds);
-    // Far from the triangle no bound on the numbers holds.
-    if bounds.max.cmplt(bounds.min).any() {
-        return;
-    }
-    let row = move |Row { y, pixels, mut edges, right, per_area }: Row| {
+    let Some(setup) = Setup::new(corners, bounds) else { return };
+    let Bounds { min, max } = setup.bounds;
+    let mut start = setup.edges;
+    for y in min.y..=max.y {
+        let Row { pixels, mut edges } = setup.span(y, start);
         for x in pixels {
-            visit(x as i32, y, (edges * per_area).as_vec3());
-            edges += right;
+            visit(x as i32, y, (edges * setup.per_area).as_vec3());
+            edges += setup.right;
         }
-    };
-    if within(NARROW) {
-        scan(snapped.map(|corner| corner.map(f64::of)), bounds, row);
-    } else {
-        scan(snapped.map(|corner| corner.map(i128::of)), bounds, row);
+        start += setup.up;
     }
 }
 // ANCHOR_END: fill
 
+/// A triangle made ready to be drawn: its three edge functions, and what follows from them for rows and points.
+///
+/// What belongs to a side stands at the place of the corner opposite to it, as weights do. Up to ±2¹⁶ px all
+/// these are whole numbers, exact; farther out, the nearest `f64`.
+// ANCHOR: setup
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// The pixels that may be covered: those with their centre in the box about the corners. Never empty.
+    pub bounds: Bounds,
+    /// The edge functions at the centre of the first of those, `bounds.min`.
+    pub edges: DVec3,
+    /// What a step of one pixel to the right adds to them: times `per_area`, the weights' gradient along x.
+    pub right: DVec3,
+    /// What a step of one pixel up adds to them: times `per_area`, the weights' gradient along y.
+    pub up: DVec3,
+    /// The least value inside: 0 on a top or left side, else 1.
+    pub inside: DVec3,
+    /// One over twice the area: it makes weights of edge functions.
+    pub per_area: f64,
+    corners: [Fixed; 3],
+    /// 1 for counterclockwise corners, −1 for clockwise ones.
+    turn: f64,
+    /// Whether the sides are too long for f64.
+    wide: bool,
+}
+// ANCHOR_END: setup
+
+/// The pixels of a row that a triangle covers.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Their x, which fit in an `i32`; the end may not.
+    pub pixels: Range<i64>,
+    /// The edge functions at the first one; a step to the right adds [`Setup::right`].
+    pub edges: DVec3,
+}
+
+impl Setup {
+    /// The triangle with these corners, in pixels and in any order, in the picture that `bounds` are of. `None`
+    /// where it covers no pixel: it has no area, its box holds no pixel's centre, or a corner is NaN or beyond
+    /// ±2⁵² px.
+    // ANCHOR: new
+    #[must_use]
+    pub fn new(corners: [Vec2; 3], bounds: Bounds) -> Option<Self> {
+        // NaN is within no limit.
+        let within = |limit: f32| corners.iter().all(|corner| corner.abs().cmple(Vec2::splat(limit)).all());
+        if !within(WIDE) {
+            return None;
+        }
+        let wide = !within(NARROW);
+        let [a, b, c] = corners.map(snap);
+        let bounds = box_of([a, b, c], bounds);
+        // Far from the triangle no bound on the numbers holds.
+        if bounds.max.cmplt(bounds.min).any() {
+            return None;
+        }
+        let area = cross(a, b, c, wide);
+        if area == 0.0 {
+            return None;
+        }
+        // ANCHOR: sides
+        // Clockwise corners make the same sides, walked in the other direction.
+        let turn = area.signum();
+        let along = |axis: usize| {
+            let [a, b, c] = [a[axis], b[axis], c[axis]];
+            DVec3::new((c - b) as f64, (a - c) as f64, (b - a) as f64) * turn
+        };
+        let (along_x, along_y) = (along(0), along(1));
+        // A side that goes down is a left one, one that goes left a top one.
+        let top_left = along_y.cmplt(DVec3::ZERO) | (along_y.cmpeq(DVec3::ZERO) & along_x.cmplt(DVec3::ZERO));
+        let inside = DVec3::select(top_left, DVec3::ZERO, DVec3::ONE);
+        // ANCHOR_END: sides
+        Some(Self {
+            bounds,
+            edges: edges([a, b, c], center(bounds.min.x.into(), bounds.min.y), wide) * turn,
+            right: along_y * -SUBPIXELS as f64,
+            up: along_x * SUBPIXELS as f64,
+            inside,
+            per_area: 1.0 / area.abs(),
+            corners: [a, b, c],
+            turn,
+            wide,
+        })
+    }
+    // ANCHOR_END: new
+
+    /// The covered pixels of a row.
+    #[must_use]
+    pub fn row(&self, y: i32) -> Row {
+        let rows = i64::from(y) - i64::from(self.bounds.min.y);
+        self.span(y, self.edges + self.up * rows as f64)
+    }
+
+    /// The covered pixels of a row, from the edge functions at its first pixel in the bounds.
+    // ANCHOR: row
+    #[inline(always)]
+    fn span(&self, y: i32, start: DVec3) -> Row {
+        if self.wide {
+            return self.wide_row(y);
+        }
+        let (first, last) = self.ends(start);
+        let left = i64::from(self.bounds.min.x);
+        Row { pixels: left + first..left + last + 1, edges: start + self.right * first as f64 }
+    }
+
+    /// The first and the last covered pixel of such a row, counted from its first one.
+    #[inline(always)]
+    fn ends(&self, start: DVec3) -> (i64, i64) {
+        let margins = start - self.inside;
+        let (mut first, mut last) = (0.0, f64::from(self.bounds.max.x) - f64::from(self.bounds.min.x));
+        for side in 0..3 {
+            narrow(margins[side], self.right[side], &mut first, &mut last);
+        }
+        // Nothing below 2⁵³ is rounded up to a whole number when it is divided by `right`: it is at least 1/right
+        // away from the next one. And where all is above 0, to drop the fraction is to round down.
+        (first as i64, last as i64)
+    }
+    // ANCHOR_END: row
+
+    /// Whether a point, in 1/256 px, is inside; on a side, if it is a top or left one. Exact for points within
+    /// ±2¹⁶ px, and for all points if some corner is farther out.
+    #[must_use]
+    pub fn covers(&self, point: [i64; 2]) -> bool {
+        self.at(point).cmpge(self.inside).all()
+    }
+
+    /// The edge functions at a point.
+    fn at(&self, point: Fixed) -> DVec3 {
+        edges(self.corners, point, self.wide) * self.turn
+    }
+
+    /// As [`row`](Self::row), for a wide triangle: of the pixels next to the ends, as f64 knows them, each is asked.
+    #[cold]
+    #[inline(never)]
+    fn wide_row(&self, y: i32) -> Row {
+        let [min, max] = [self.bounds.min.x, self.bounds.max.x].map(i64::from);
+        let (first, last) = self.ends(self.at(center(min, y)));
+        let mut first = min + first.clamp(1, max - min + 1) - 1;
+        let mut last = max.min(min + last + 1);
+        let covered = |x| self.covers(center(x, y));
+        while first <= last && !covered(first) {
+            first += 1;
+        }
+        while first <= last && !covered(last) {
+            last -= 1;
+        }
+        // Each addition along the row rounds by at most half an epsilon of the whole area: with so much more at its
+        // start no weight ends below 0.
+        let rounding = (last - first + 2) as f64 * f64::EPSILON / self.per_area;
+        Row { pixels: first..last + 1, edges: self.at(center(first, y)) + rounding }
+    }
+}
+
 /// The nearest point of the grid of 1/256 px. Multiplying by a power of 2 rounds nothing.
 // ANCHOR: snap
-fn snap(corner: Vec2) -> [i64; 2] {
+fn snap(corner: Vec2) -> Fixed {
     corner.to_array().map(|coordinate| (coordinate * SUBPIXELS as f32).round_ties_even() as i64)
 }
 // ANCHOR_END: snap
 
 /// The pixels of `bounds` whose centres lie in the box about the corners.
-fn box_of([a, b, c]: [[i64; 2]; 3], bounds: Bounds) -> Bounds {
+fn box_of([a, b, c]: [Fixed; 3], bounds: Bounds) -> Bounds {
     let half = SUBPIXELS / 2;
     let inside = |axis: usize, min: i32, max: i32| {
         let [low, high] = [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])];
@@ -84,132 +232,51 @@ fn box_of([a, b, c]: [[i64; 2]; 3], bounds: Bounds) -> Bounds {
     Bounds { min: IVec2::new(x.0, y.0), max: IVec2::new(x.1, y.1) }
 }
 
-/// Numbers in which whole ones are exact, as far as the scan needs them.
-trait Whole: Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// For how many pixels of a row the edge functions can be summed up in `f64` without rounding.
-    const SUMMED: i64;
-    fn of(n: i64) -> Self;
-    /// The quotient of two numbers that are not below 0, rounded down.
-    fn over(self, by: Self) -> i64;
-    fn to_f64(self) -> f64;
+/// The centre of a pixel.
+fn center(x: i64, y: i32) -> Fixed {
+    [x, y.into()].map(|n| n * SUBPIXELS + SUBPIXELS / 2)
 }
 
-impl Whole for f64 {
-    const SUMMED: i64 = i64::MAX;
-    fn of(n: i64) -> Self {
-        n as f64
-    }
-    fn over(self, by: Self) -> i64 {
-        // Below 2⁵³ no quotient is rounded up to a whole number: it is at least 1/by away from the next one.
-        (self / by) as i64
-    }
-    fn to_f64(self) -> f64 {
-        self
-    }
+/// The cross product of the ways from a point to two others.
+// ANCHOR: cross
+#[inline]
+fn cross(from: Fixed, to: Fixed, point: Fixed, wide: bool) -> f64 {
+    let [ax, ay] = [to[0] - from[0], to[1] - from[1]];
+    let [bx, by] = [point[0] - from[0], point[1] - from[1]];
+    if wide { wide_cross([ax, ay], [bx, by]) } else { ax as f64 * by as f64 - ay as f64 * bx as f64 }
 }
 
-impl Whole for i128 {
-    const SUMMED: i64 = 1;
-    fn of(n: i64) -> Self {
-        n.into()
-    }
-    fn over(self, by: Self) -> i64 {
-        (self / by).try_into().unwrap_or(i64::MAX)
-    }
-    fn to_f64(self) -> f64 {
-        self as f64
-    }
+#[cold]
+#[inline(never)]
+fn wide_cross(a: Fixed, b: Fixed) -> f64 {
+    let [ax, ay, bx, by] = [a[0], a[1], b[0], b[1]].map(i128::from);
+    (ax * by - ay * bx) as f64
 }
 
-/// The edge function of one side, as the scan moves over the pixels.
-// ANCHOR: edge
-struct Edge<I> {
-    /// Its value at the first pixel of the row.
-    row: I,
-    /// What a step of one pixel to the right adds.
-    right: I,
-    /// What a step of one pixel up adds.
-    up: I,
-    /// The least value inside: 0 on a top or left side, else 1.
-    inside: I,
+/// The edge functions at a point, each at the place of the corner opposite to its side.
+#[inline]
+fn edges([a, b, c]: [Fixed; 3], point: Fixed, wide: bool) -> DVec3 {
+    DVec3::new(cross(b, c, point, wide), cross(c, a, point, wide), cross(a, b, point, wide))
 }
+// ANCHOR_END: cross
 
-impl<I: Whole> Edge<I> {
-    /// The side `from`→`to` of a counterclockwise triangle, its row value that of the pixel at `first`.
-    fn new(from: [I; 2], to: [I; 2], first: [I; 2]) -> Self {
-        let [zero, one, pixel] = [0, 1, SUBPIXELS].map(I::of);
-        let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-        // The inside is on the left: a side that goes down is a left one, one that goes left a top one.
-        let top_left = dy < zero || (dy == zero && dx < zero);
-        Self {
-            row: dx * (first[1] - from[1]) - dy * (first[0] - from[0]),
-            right: zero - dy * pixel,
-            up: dx * pixel,
-            inside: if top_left { zero } else { one },
+/// Cuts a row's pixels from `first` to `last` down to those on the inner side, where `margin` is what the edge
+/// function at pixel 0 has more than it needs, and `right` what a step adds.
+// ANCHOR: narrow
+#[inline]
+fn narrow(margin: f64, right: f64, first: &mut f64, last: &mut f64) {
+    if right > 0.0 {
+        let bound = (right - 1.0 - margin) / right;
+        if bound > *first {
+            *first = bound;
         }
-    }
-    // ANCHOR_END: edge
-
-    /// Cuts the row's pixels `first..=last` down to those on the inner side.
-    // ANCHOR: narrow
-    fn narrow(&self, first: &mut i64, last: &mut i64) {
-        let [zero, one] = [0, 1].map(I::of);
-        let margin = self.row - self.inside;
-        if self.right > zero {
-            if margin < zero {
-                *first = (*first).max((self.right - one - margin).over(self.right));
-            }
-        } else if margin < zero {
-            *last = -1;
-        } else if self.right < zero {
-            *last = (*last).min(margin.over(zero - self.right));
-        }
-    }
-    // ANCHOR_END: narrow
-}
-
-/// The pixels of a row that a triangle covers, or some of them.
-struct Row {
-    y: i32,
-    /// Their x.
-    pixels: Range<i64>,
-    /// The three edge functions at the first one, and what a step to the right adds.
-    edges: DVec3,
-    right: DVec3,
-    /// What makes weights of them.
-    per_area: f64,
-}
-
-/// Walks the rows of `bounds`, which corners in 1/256 px belong to.
-// ANCHOR: scan
-fn scan<I: Whole>([a, b, c]: [[I; 2]; 3], bounds: Bounds, mut visit: impl FnMut(Row)) {
-    let zero = I::of(0);
-    let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    if area == zero {
-        return;
-    }
-    // A box of every pixel is too wide for an i32.
-    let [left, right] = [bounds.min.x, bounds.max.x].map(i64::from);
-    let corner = [left, bounds.min.y.into()].map(|n| I::of(n * SUBPIXELS + SUBPIXELS / 2));
-    // Clockwise corners make the same sides, walked in the other direction.
-    let side = |from, to| if area > zero { Edge::new(from, to, corner) } else { Edge::new(to, from, corner) };
-    let mut edges = [side(b, c), side(c, a), side(a, b)];
-    let per_area = 1.0 / area.to_f64().abs();
-    let steps = DVec3::from_array(edges.each_ref().map(|edge| edge.right.to_f64()));
-
-    for y in bounds.min.y..=bounds.max.y {
-        let (mut first, mut last) = (0, right - left);
-        edges.iter().for_each(|edge| edge.narrow(&mut first, &mut last));
-        while first <= last {
-            let next = first.saturating_add(I::SUMMED).min(last + 1);
-            let start = edges.each_ref().map(|edge| (edge.row + I::of(first) * edge.right).to_f64());
-            let pixels = left + first..left + next;
-            visit(Row { y, pixels, edges: DVec3::from_array(start), right: steps, per_area });
-            first = next;
-        }
-        for edge in &mut edges {
-            edge.row = edge.row + edge.up;
+    } else if margin < 0.0 {
+        *last = -1.0;
+    } else if right < 0.0 {
+        let bound = margin / -right;
+        if bound < *last {
+            *last = bound;
         }
     }
 }
-// ANCHOR_END: scan
+// ANCHOR_END: narrow

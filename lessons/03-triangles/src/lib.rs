@@ -20,6 +20,7 @@ pub mod barycentric;
 pub mod edges;
 pub mod slides;
 
+use common::direction::{scaled, unit};
 use common::{Bounds, Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 
 pub use barycentric::barycentric;
@@ -89,11 +90,13 @@ pub const METHODS: &[Method<Triangle>] = &[
 /// normal and the direction to the light.
 ///
 /// 1 means that it faces the light, 0 that it lies along it, below 0 that it faces away. Corners run
-/// counterclockwise seen from outside. `light` has length 1. A triangle without area has intensity 0.
+/// counterclockwise seen from outside. `light` has length 1. A triangle without area has intensity 0, one of any
+/// size has its own: its sides are scaled first, as the product of two may be no f32.
 // ANCHOR: flat_intensity
 #[must_use]
 pub fn flat_intensity([a, b, c]: [Vec3; 3], light: Vec3) -> f32 {
-    (b - a).cross(c - a).normalize_or_zero().dot(light)
+    let normal = scaled(b - a).cross(scaled(c - a));
+    unit(normal).map_or(0.0, |normal| normal.dot(light))
 }
 // ANCHOR_END: flat_intensity
 

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use common::program::flags::LightFlag;
 use common::program::model::ModelFlag;
 use common::program::{Extras, Program, run, values};
-use common::{Attributes, Color, Image, Lesson, Method, Model, Vec2, Vec3};
+use common::{Attributes, Color, Image, Lesson, Method, Model, Vec2};
 use triangles::{Triangle, draw_model, flat_intensity};
 
 /// A triangle, as `--triangle` gives it.
@@ -67,9 +67,10 @@ fn flat(text: &str) -> Result<Flat, String> {
     Ok(Flat { corners, color: color.unwrap_or(Color::WHITE) })
 }
 
-enum Triangles {
-    InThePlane(Vec<Flat>),
-    Model { model: Model, fill: Fill, light: Vec3 },
+struct Triangles {
+    /// Instead of the triangles in the plane, if it is asked for.
+    model: Option<Model>,
+    flags: Flags,
 }
 
 impl Program for Triangles {
@@ -81,36 +82,31 @@ impl Program for Triangles {
     const DEFAULT: &str = "edges";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
-        if flags.model.file.is_some() {
-            let model = flags.model.read(Attributes::default())?;
-            return Ok(Self::Model { model, fill: flags.fill, light: flags.light.direction });
-        }
-        Ok(Self::InThePlane(if flags.triangle.is_empty() { TRIANGLES.to_vec() } else { flags.triangle }))
+        let asked_for = flags.model.file.is_some();
+        let model = asked_for.then(|| flags.model.read(Attributes::default())).transpose()?;
+        Ok(Self { model, flags })
     }
 
     fn size(&self) -> (u16, u16) {
-        match self {
-            Self::InThePlane(_) => (200, 200),
-            Self::Model { .. } => (800, 800),
-        }
+        if self.model.is_some() { (800, 800) } else { (200, 200) }
     }
 
     fn draw(&mut self, method: &Triangle, picture: &mut Image) -> anyhow::Result<Extras> {
-        match self {
-            Self::InThePlane(triangles) => {
-                for &Flat { corners, color } in triangles.iter() {
+        let Flags { triangle, fill, light, .. } = &self.flags;
+        match (&self.model, fill) {
+            (None, _) => {
+                let triangles = if triangle.is_empty() { TRIANGLES.as_slice() } else { triangle };
+                for &Flat { corners, color } in triangles {
                     (method.draw)(corners, picture, color);
                 }
             }
-            Self::Model { model, fill: Fill::Random, .. } => {
+            (Some(model), Fill::Random) => {
                 draw_model(model, method, picture, |n, _| Some(Color::random(n as u64)));
             }
-            Self::Model { model, fill: Fill::Flat, light } => {
-                draw_model(model, method, picture, |_, corners| {
-                    let intensity = flat_intensity(corners, *light);
-                    (intensity >= 0.0).then(|| Color::gray(intensity))
-                });
-            }
+            (Some(model), Fill::Flat) => draw_model(model, method, picture, |_, corners| {
+                let intensity = flat_intensity(corners, light.direction);
+                (intensity >= 0.0).then(|| Color::gray(intensity))
+            }),
         }
         Ok(Extras::default())
     }

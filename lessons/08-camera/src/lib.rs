@@ -17,6 +17,7 @@
 pub mod flags;
 pub mod turntable;
 
+use common::direction::unit;
 use common::{Lesson, Mat3, Mat4, Method, Table, Vec3};
 use transforms::translate;
 
@@ -101,13 +102,13 @@ pub fn listing(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat4> {
 // ANCHOR_END: listing
 
 /// The matrix whose rows are the eye's basis. Where up is along the view to within 1e-6, or 0, the world axis
-/// farthest from the view stands in for it. `None` where eye and centre are one point, or less than about
-/// 1e-19 or more than 1e19 apart, as the square of that is no f32.
+/// farthest from the view stands in for it. `None` where eye and centre are one point, or so far apart that the
+/// distance is no f32.
 // ANCHOR: basis
 #[must_use]
 pub fn basis(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat3> {
-    let z = (eye - center).try_normalize()?;
-    let sideways = |up: Vec3| up.normalize_or_zero().cross(z);
+    let z = unit(eye - center)?;
+    let sideways = |up: Vec3| unit(up).unwrap_or_default().cross(z);
     let x = Some(sideways(up)).filter(|x| x.length() > 1e-6).unwrap_or_else(|| sideways(farthest_axis(z)));
     // What is left of an up near the view is rounded, and at right angles to z only nearly: once more.
     let x = x.reject_from_normalized(z).normalize();

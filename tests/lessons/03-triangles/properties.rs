@@ -4,6 +4,7 @@
 use checks::coverage::Triangle;
 use common::{Bounds, IVec2, Vec2, Vec3};
 use proptest::prelude::*;
+use triangles::edges::Setup;
 use triangles::{METHODS, fill};
 use verify::window;
 
@@ -141,6 +142,75 @@ proptest! {
             }
         });
         prop_assert!(wrong.is_empty(), "{:?}", wrong);
+    }
+
+    #[test]
+    fn weights_are_right_however_far_the_corners(corners in [far_corner(), far_corner(), far_corner()]) {
+        let exact = Triangle::new(corners);
+        let mut wrong = Vec::new();
+        fill(corners, window(24, 24), |x, y, weights| {
+            let close = weights.to_array().iter().zip(exact.weights(x, y))
+                .all(|(&weight, exact)| (f64::from(weight) - exact).abs() < 1e-6 && (0.0..=1.0).contains(&weight));
+            if !close || (weights.element_sum() - 1.0).abs() > 1e-6 {
+                wrong.push((x, y, weights));
+            }
+        });
+        prop_assert!(wrong.is_empty(), "{:?}", wrong);
+    }
+
+    /// Rows, points and gradients of a set-up say what `fill` does.
+    #[test]
+    fn a_set_up_knows_its_rows_its_points_and_its_gradients(
+        corners in prop_oneof![[corner(), corner(), corner()], [far_corner(), far_corner(), far_corner()]],
+        near in [corner(), corner(), corner()],
+    ) {
+        let bounds = window(24, 24);
+        let rows = |corners| {
+            let setup = Setup::new(corners, bounds)?;
+            // From the top, as rows do not depend on each other.
+            let mut rows: Vec<_> = (setup.bounds.min.y..=setup.bounds.max.y).rev().map(|y| (y, setup.row(y))).collect();
+            rows.reverse();
+            Some((setup, rows))
+        };
+        let covered = pixels(corners, bounds);
+        let Some((setup, rows_of)) = rows(corners) else {
+            prop_assert_eq!(covered, []);
+            return Ok(());
+        };
+        let by_rows: Vec<_> =
+            rows_of.into_iter().flat_map(|(y, row)| row.pixels.map(move |x| (x as i32, y))).collect();
+        prop_assert_eq!(&by_rows, &covered);
+        let center = |n: i32| i64::from(n) * 256 + 128;
+        for (x, y) in (0..24).flat_map(|y| (0..24).map(move |x| (x, y))) {
+            prop_assert_eq!(setup.covers([center(x), center(y)]), covered.contains(&(x, y)), "({}, {})", x, y);
+        }
+        // Near by, edge functions are whole numbers, and steps lead from any pixel to any other.
+        let Some((setup, rows_of)) = rows(near) else { return Ok(()) };
+        let exact = Triangle::new(near);
+        for (y, row) in rows_of {
+            for x in row.pixels.clone() {
+                let steps = [x as f64 - f64::from(setup.bounds.min.x), f64::from(y - setup.bounds.min.y)];
+                let edges = setup.edges + setup.right * steps[0] + setup.up * steps[1];
+                prop_assert_eq!(edges, row.edges + setup.right * (x - row.pixels.start) as f64);
+                prop_assert!(edges.cmpge(setup.inside).all());
+                let weights = (edges * setup.per_area).to_array();
+                prop_assert!(weights.iter().zip(exact.weights(x as i32, y)).all(|(a, b)| (a - b).abs() < 1e-15));
+            }
+        }
+    }
+
+    /// A point at 1/256 px is inside as a pixel's centre is, in a picture moved by as much.
+    #[test]
+    fn any_point_is_inside_as_a_centre_would_be(
+        corners in [corner(), corner(), corner()], at in corner(),
+    ) {
+        let [corners @ .., by] = [corners[0], corners[1], corners[2], at].map(|p| (p * 256.0).round() / 256.0);
+        let moved = corners.map(|corner| corner - by + 0.5);
+        let bounds = Bounds { min: IVec2::splat(-64), max: IVec2::splat(64) };
+        if let Some(setup) = Setup::new(corners, bounds) {
+            let covers = setup.covers((by * 256.0).to_array().map(|n| n as i64));
+            prop_assert_eq!(covers, Triangle::new(moved).covers(0, 0));
+        }
     }
 
     #[test]

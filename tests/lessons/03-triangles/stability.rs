@@ -1,6 +1,6 @@
 use checks::coverage::Triangle;
-use common::{Bounds, IVec2, Vec2};
-use triangles::{METHODS, fill};
+use common::{Bounds, IVec2, Vec2, Vec3};
+use triangles::{METHODS, fill, flat_intensity};
 use verify::{method, window};
 
 /// What must happen.
@@ -346,4 +346,20 @@ fn where_the_area_is_infinite_barycentric_covers_nothing() {
         });
         assert_eq!(got, expected, "{size}");
     }
+}
+
+/// A triangle's brightness is the same at any size, however large or small the products of its sides.
+#[test]
+fn brightness_does_not_depend_on_size() {
+    let corners = [Vec3::new(-0.5, -0.5, 0.0), Vec3::new(0.5, -0.5, 0.25), Vec3::new(0.0, 0.5, 0.5)];
+    let expected = flat_intensity(corners, Vec3::Z);
+    for exponent in (-120..=120).step_by(10) {
+        let got = flat_intensity(corners.map(|corner| corner * 2f32.powi(exponent)), Vec3::Z);
+        assert_eq!(got, expected, "2^{exponent}");
+    }
+    let far = [Vec3::new(-5e9, -5e9, 0.0), Vec3::new(5e9, -5e9, 0.0), Vec3::new(0.0, 5e9, 0.0)];
+    assert_eq!(flat_intensity(far, Vec3::Z), 1.0);
+    let sliver = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1e-20, 0.0), Vec3::new(1.0, 0.0, 1e-20)];
+    assert_eq!(flat_intensity(sliver, Vec3::X), 1.0);
+    assert_eq!(flat_intensity([Vec3::ONE; 3], Vec3::Z), 0.0);
 }

@@ -152,11 +152,31 @@ fn normals_are_the_files_made_1_long_or_else_computed() {
         ("of length 5", "vn 0 3 4\nf 1/1/1 2/1/1 3/1/1\n", Vec3::new(0.0, 0.6, 0.8)),
         ("of length 1e-3", "vn 0 0.001 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Y),
         ("of length 0: the triangle's own", "vn 0 0 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Z),
-        ("so short that its square is 0: the triangle's own", "vn 0 1e-30 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Z),
-        ("so long that its square is infinite: the same", "vn 0 1e30 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Z),
+        ("so short that its square is 0", "vn 0 1e-30 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Y),
+        ("so long that its square is infinite", "vn 0 1.9e19 0\nf 1/1/1 2/1/1 3/1/1\n", Vec3::Y),
+        (
+            "the longest",
+            "vn 0 3e38 3e38\nf 1/1/1 2/1/1 3/1/1\n",
+            Vec3::new(0.0, 0.5f32.sqrt(), 0.5f32.sqrt()),
+        ),
         ("missing: the mean, weighted by area", "f 1/1 2/1 3/1\nf 1/1 3/1 4/1\n", weighted),
         ("missing at one face: all are computed", "vn 0 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\n", weighted),
         ("missing, and two faces cancel: the triangle's own", "f 1/1 2/1 3/1\nf 1/1 3/1 2/1\n", Vec3::Z),
+        (
+            "missing, and the two sides of a sheet cancel but for rounding: the triangle's own",
+            "v -.3 -.7 -.3\nv .4 -.4 .2\nv -.1 .8 -.1\nf 5/1 6/1 7/1\nf 7/1 6/1 5/1\n",
+            Vec3::new(-0.69, -0.04, 0.99).normalize(),
+        ),
+        (
+            "missing, and the areas are no f32",
+            "v 3e38 0 0\nv 0 3e38 0\nv 0 0 3e38\nf 5/1 6/1 7/1\n",
+            Vec3::ONE.normalize(),
+        ),
+        (
+            "missing, and the areas are smaller than any f32",
+            "v 3e-38 0 0\nv 0 3e-38 0\nv 0 0 3e-38\nf 5/1 6/1 7/1\n",
+            Vec3::ONE.normalize(),
+        ),
         ("missing, and no area: none", "f 1/1 1/1 2/1\n", Vec3::ZERO),
     ] {
         let model = Model::parse(format!("{shape}{faces}").as_bytes(), BOTH).unwrap();

@@ -1,4 +1,4 @@
-//! Pictures in files, and files written whole or not at all.
+//! Pictures in files, and files [written whole](write_whole) or not at all.
 //!
 //! The `image` crate does the work. Reading TGA, it takes raw and run-length encoded pixels of 8, 15, 16,
 //! 24 and 32 bits, colour maps, and any corner as the origin; all of these become 8-bit grey, RGB or RGBA.
@@ -7,14 +7,17 @@
 //! and some readers refuse (Python's Pillow is one), so we hand it one row at a time. PNG is written in 8
 //! bits; 16-bit channels lose their lower byte when read, and a palette becomes RGB.
 
-use std::fs::{self, File};
-use std::io::{Cursor, Read, Write};
+mod whole;
+
+use std::fs::File;
+use std::io::{Cursor, Read};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::atomic::{AtomicU32, Ordering};
 
 use ::image::codecs::tga::TgaEncoder;
 use ::image::{DynamicImage, ImageFormat, ImageReader, ImageResult, Limits};
+
+pub use whole::write_whole;
 
 use crate::{Error, Image};
 
@@ -150,33 +153,10 @@ pub(crate) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, Error> {
     Ok(bytes)
 }
 
-/// Writes a file beside its place and then renames it, so that a reader finds the old one or the new one
-/// and never a part. What was begun is removed where anything fails. A symbolic link of that name is
-/// replaced; the file to which it led stays as it was.
-///
-/// # Errors
-/// One that names the file where its folder does not exist or the system refuses.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if !folder.is_dir() {
-        return Err(Error::NoFolder { path: path.into() });
-    }
-    // Short whatever the file's own name, and another one in each process and each thread.
-    static BEGUN: AtomicU32 = AtomicU32::new(0);
-    let number = BEGUN.fetch_add(1, Ordering::Relaxed);
-    let part = folder.join(format!(".{}-{number}.part", std::process::id()));
-    File::create(&part)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&part, path))
-        .map_err(|source| {
-            // Best effort: the first error is the one to report.
-            let _ = fs::remove_file(&part);
-            Error::Write { path: path.into(), source }
-        })
-}
-
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::{Color, Format};
 
