@@ -69,12 +69,16 @@ impl Builds {
         newer: bool,
     ) -> anyhow::Result<Vec<Speed>> {
         /// Fewer tell no median.
-        const FEWEST: usize = 5;
+        const FEWEST: usize = 3;
         let mut order: Vec<usize> =
             (0..self.0.len()).filter(|&n| newer || self.0[n].made_for == For::Any).collect();
+        // All make themselves ready at once.
+        for &n in &order {
+            self.0[n].tell(&format!("open {name} {size} {seed}"))?;
+        }
         let mut amounts = Vec::new();
         for &n in &order {
-            amounts = self.0[n].ask(&format!("open {name} {size} {seed}"))?;
+            amounts = self.0[n].answer()?;
         }
         let mut random = Rng::with_seed(seed);
         let mut found = vec![Bursts::default(); self.0.len()];
@@ -82,7 +86,8 @@ impl Builds {
         while found[0].len() < FEWEST || start.elapsed() < limit {
             random.shuffle(&mut order);
             for &n in &order {
-                found[n].add(self.0[n].ask(&format!("burst {}", random.u32(..)))?);
+                self.0[n].tell(&format!("burst {}", random.u32(..)))?;
+                found[n].add(self.0[n].answer()?);
             }
         }
         let of = |kind: For| -> Vec<Vec<f64>> {
@@ -95,12 +100,15 @@ impl Builds {
 }
 
 impl Build {
-    /// Tells it a line and reads the numbers of its answer.
-    fn ask(&mut self, line: &str) -> anyhow::Result<Vec<f64>> {
-        writeln!(self.lines, "{line}")?;
+    fn tell(&mut self, line: &str) -> anyhow::Result<()> {
+        Ok(writeln!(self.lines, "{line}")?)
+    }
+
+    /// The numbers of its answer.
+    fn answer(&mut self) -> anyhow::Result<Vec<f64>> {
         let mut answer = String::new();
         self.answers.read_line(&mut answer)?;
-        ensure!(!answer.is_empty(), "the timer ended at `{line}`");
+        ensure!(!answer.is_empty(), "the timer ended");
         answer.split_whitespace().map(|number| number.parse().context("the timer gives numbers")).collect()
     }
 }

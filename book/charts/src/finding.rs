@@ -1,7 +1,7 @@
 //! What a chart shows, in one sentence: its title, from its figures as printed.
 
 use super::draw::Line;
-use super::frontier::faster;
+use super::frontier::margin;
 use super::table::{Chart, Point, Row, number};
 
 /// Of a table: which method to take for what its limit asks, and at what price.
@@ -12,6 +12,8 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
     let does_it: Vec<&Row> = rows.iter().filter(|row| row.does_the_job && error(row).is_finite()).collect();
     let fastest = |rows: &[&Row]| rows.iter().copied().max_by(|a, b| speed(a).total_cmp(&speed(b))).cloned();
     let good: Vec<&Row> = does_it.iter().copied().filter(|row| row.frontier && error(row) <= limit).collect();
+    let margin = margin(&rows.iter().map(Row::figure).collect::<Vec<_>>());
+    let faster = |a: &Row, b: &Row| speed(a) > margin * speed(b);
     let Some(quickest) = fastest(&does_it) else { return "No method does the job".into() };
     let off = |row: &Row| format!("{} {}", row.error_max, chart.error.unit);
     let Some(pick) = fastest(&good) else {
@@ -21,12 +23,12 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
         });
     };
     // Those on the frontier that are as fast share the place.
-    let ties = good.iter().filter(|row| !faster(pick.figure().speed, row.figure().speed));
+    let ties = good.iter().filter(|row| !faster(&pick, row));
     let names: Vec<&str> = ties.map(|row| row.method.as_str()).collect();
     let (verb, are) = if names.len() == 1 { ("is", "is") } else { ("are", "are as fast and") };
     let names = listed(&names);
     let how = if pick.is_exact(chart) { format!("{are} exact") } else { format!("{are} {within}") };
-    if !faster(quickest.figure().speed, pick.figure().speed) {
+    if !faster(&quickest, &pick) {
         let nothing = if rows.len() == good.len() { "" } else { ", and nothing is faster" };
         return format!("{names} {how}{nothing}");
     }

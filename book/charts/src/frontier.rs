@@ -11,23 +11,24 @@ pub(crate) struct Figure {
     pub(crate) does_it: bool,
 }
 
-/// How much faster a method must be for a reader to care, apart from the spread over builds.
-const NOTICEABLE: f64 = 1.1;
-
-/// Whether `a` is faster than `b` by more than what another build would change.
-pub(crate) fn faster(a: [f64; 3], b: [f64; 3]) -> bool {
-    a[0] > b[2] && a[1] > NOTICEABLE * b[1]
+/// How much faster a method of a table must be than another to count as faster: what is less another build would
+/// change. It is the widest spread over builds that one of the table's methods has, and at least a tenth.
+pub(crate) fn margin(figures: &[Figure]) -> f64 {
+    const LEAST: f64 = 1.1;
+    let spreads =
+        figures.iter().filter(|figure| figure.does_it).map(|figure| figure.speed[2] / figure.speed[0]);
+    spreads.fold(LEAST, f64::max)
 }
 
 /// For each method whether none beats it. One does that is at least as accurate and faster, or more accurate and
 /// as fast: where speeds are a tie, the more accurate one has it, and equals share. What does not do the job, or
 /// fails, neither beats nor stands.
 pub(crate) fn frontier(figures: &[Figure]) -> Vec<bool> {
+    let margin = margin(figures);
     let stands = |figure: &Figure| figure.does_it && figure.error.is_finite();
+    let faster = |a: &Figure, b: &Figure| a.speed[1] > margin * b.speed[1];
     let beats = |a: &Figure, b: &Figure| {
-        stands(a)
-            && (a.error <= b.error && faster(a.speed, b.speed)
-                || a.error < b.error && !faster(b.speed, a.speed))
+        stands(a) && (a.error <= b.error && faster(a, b) || a.error < b.error && !faster(b, a))
     };
     figures.iter().map(|b| stands(b) && !figures.iter().any(|a| beats(a, b))).collect()
 }
@@ -52,10 +53,9 @@ mod tests {
     fn of_two_that_are_as_fast_the_more_accurate_one_stands() {
         assert_eq!(frontier(&[figure(1.0, 5.2), figure(0.5, 5.0)]), [false, true]);
         assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0)]), [true, true]);
-        // Builds that differ as much as the methods do decide nothing.
-        let wide =
-            |error, speed: f64| Figure { speed: [0.5 * speed, speed, 2.0 * speed], ..figure(error, speed) };
-        assert_eq!(frontier(&[wide(1.0, 6.0), wide(0.5, 5.0)]), [false, true]);
+        // Where one method's builds differ by so much, less decides nothing between others.
+        let wide = Figure { speed: [1.0, 1.2, 1.4], ..figure(9.0, 1.2) };
+        assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0), wide]), [false, true, false]);
     }
 
     #[test]

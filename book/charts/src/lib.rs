@@ -24,7 +24,11 @@ mod summary;
 mod table;
 mod timer;
 
+use std::collections::BTreeMap;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use anyhow::{Context, bail, ensure};
@@ -36,7 +40,7 @@ use builds::Builds;
 use card::LAYOUTS;
 use figures::{known_digits, last_digit, three_digits};
 use machine::Machine;
-use measure::{Effort, Work};
+use measure::{Effort, Errors, Work};
 use table::{Chart, Point, Row, Series, number, read_points, read_rows, rows, write_points, write_rows};
 
 pub use timer::serve;
@@ -208,9 +212,10 @@ pub fn measure_missing(quick: bool) -> anyhow::Result<()> {
 
 /// Measures, and writes the figures.
 fn measure_all(run: &mut Run, charts: &[&Chart], comparisons: &[&Comparison]) -> anyhow::Result<()> {
-    let bar = progress(charts.len() * 4 + comparisons.len())?;
-    for chart in charts {
-        measure(run, chart, &bar)?;
+    let bar = progress(charts.len() * 3 + comparisons.len())?;
+    let wrong = all_errors(charts, run.effort, &bar);
+    for (chart, (errors, series)) in charts.iter().zip(wrong) {
+        measure(run, chart, &errors, &series, &bar)?;
     }
     for comparison in comparisons {
         bar.set_message(comparison.name);
@@ -219,6 +224,28 @@ fn measure_all(run: &mut Run, charts: &[&Chart], comparisons: &[&Comparison]) ->
     }
     bar.finish_and_clear();
     Ok(())
+}
+
+/// The errors of all tables and how they grow under stress, on all of the machine's cores, while nothing is timed.
+fn all_errors(charts: &[&Chart], effort: Effort, bar: &ProgressBar) -> Vec<(Vec<Errors>, Vec<Series>)> {
+    bar.set_message("errors");
+    let next = AtomicUsize::new(0);
+    let found: Mutex<BTreeMap<usize, (Vec<Errors>, Vec<Series>)>> = Mutex::default();
+    let work = || {
+        loop {
+            let n = next.fetch_add(1, Ordering::Relaxed);
+            let Some(chart) = charts.get(n) else { return };
+            let wrong = ((chart.errors)(effort), (chart.stability.measure)(effort));
+            bar.inc(1);
+            found.lock().unwrap_or_else(PoisonError::into_inner).insert(n, wrong);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, NonZero::get) {
+            scope.spawn(work);
+        }
+    });
+    found.into_inner().unwrap_or_else(PoisonError::into_inner).into_values().collect()
 }
 
 /// Draws the charts of the figures that are in a folder, and writes which method to take when.
@@ -296,28 +323,27 @@ fn works(name: &str, size: usize, effort: Effort) -> Option<Vec<Work>> {
     })
 }
 
-/// Measures one table and writes its figures.
-fn measure(run: &mut Run, chart: &Chart, bar: &ProgressBar) -> anyhow::Result<()> {
-    let step = |what: &str| {
-        bar.inc(1);
-        bar.set_message(format!("{}: {what}", chart.name));
-    };
-    bar.set_message(format!("{}: errors", chart.name));
-    let errors = (chart.errors)(run.effort);
-    step("speed");
+/// Times one table and writes its figures.
+fn measure(
+    run: &mut Run,
+    chart: &Chart,
+    errors: &[Errors],
+    series: &[Series],
+    bar: &ProgressBar,
+) -> anyhow::Result<()> {
+    bar.set_message(format!("{}: speed", chart.name));
     let speeds = run.speeds(chart.name, chart.sizes.usual, 1.0)?;
-    let rows = rows(chart, &errors, &speeds);
-    step("growth");
+    let rows = rows(chart, errors, &speeds);
+    bar.inc(1);
+    bar.set_message(format!("{}: growth", chart.name));
     let growth = growth(chart, run)?;
-    step("stability");
-    let series = (chart.stability.measure)(run.effort);
     ensure!(series.len() == rows.len(), "{}: a method has no stability", chart.name);
 
     let path = |ending: &str| run.folder.join(format!("{}{ending}", chart.name));
     write_rows(&rows, chart.further, &path(".csv"))?;
     write_points(&growth, ["method", "size", "nanoseconds"], &path("-growth.csv"))?;
-    write_points(&points(chart, &series), ["method", "stress", "error"], &path("-stability.csv"))?;
-    let samples: Vec<usize> = errors.iter().map(measure::Errors::samples).collect();
+    write_points(&points(chart, series), ["method", "stress", "error"], &path("-stability.csv"))?;
+    let samples: Vec<usize> = errors.iter().map(Errors::samples).collect();
     let facts = json!({
         "job": chart.job,
         "error": { "what": chart.error.name, "unit": chart.error.unit, "limit": chart.error.limit.0, "limit_name": chart.error.limit.1 },
@@ -329,9 +355,8 @@ fn measure(run: &mut Run, chart: &Chart, bar: &ProgressBar) -> anyhow::Result<()
         "growth": { "size": chart.sizes.name, "in_the_chart": chart.sizes.usual, "nanoseconds": per(chart) },
         "stability": { "stress": chart.stability.stress, "error": chart.stability.error.name, "unit": chart.stability.error.unit, "failure_above": chart.stability.error.limit.0 },
     });
-    run.write_facts(chart.name, facts)?;
-    step("done");
-    Ok(())
+    bar.inc(1);
+    run.write_facts(chart.name, facts)
 }
 
 /// What a time is for, as `per px`.

@@ -134,7 +134,7 @@ pub const METHODS: &[Method<Line>] = &[
     Method {
         name: "distance",
         run: drawn_and_visited!(distance),
-        promise: "smooth, and as thick in every direction: coverage by the distance at a right angle; any 32-bit ends",
+        promise: "smooth, within 12 % as thick in every direction: coverage by the distance at a right angle; any 32-bit ends",
         failure: "up to three pixels a step, each mixed with what lies below; ends stick out by half a pixel",
     },
 ];
