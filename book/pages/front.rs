@@ -1,14 +1,15 @@
 //! The first pages.
 
-use anyhow::Context;
 use common::compare::Difference;
-use common::{Color, Format, IVec2, Image, Method, Vec2, Vec3};
-use gouraud::{Scene, corner_normals, gouraud};
+use common::{Color, IVec2, Image, Vec2, Vec3};
+use gouraud::{Scene, corner_normals};
 use lines::METHODS;
 use triangles::{draw_model, flat_intensity};
 use zbuffer::to_screen;
 
-use crate::figures::{Drawing, Figure, beside, model, texture};
+use crate::figures::picture::{beside, canvas, method, model, texture};
+use crate::figures::{Drawing, Figure};
+use crate::lessons::gouraud::figures::smooth;
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -27,30 +28,28 @@ pub(crate) const FIGURES: &[Figure] = &[
 
 fn welcome() -> anyhow::Result<Drawing> {
     let model = model()?;
-    let [mut wires, mut random, mut lit, mut smooth] = [(); 4].map(|()| Image::new(600, 600, Format::Rgb));
+    let [mut wires, mut random, mut lit] = [(); 3].map(|()| canvas(600));
     wireframe::wireframe(&model, &mut wires, Color::WHITE);
-    let exact = Method::find(triangles::METHODS, "edges").context("no method `edges`")?;
+    let exact = method(triangles::METHODS, "edges")?;
     // What faces away is left out, as there is no depth buffer yet.
     let brightness = |corners| Some(flat_intensity(corners, Vec3::Z)).filter(|&i| i >= 0.0);
-    draw_model(&model, &exact.run, &mut random, |n, corners| {
-        brightness(corners).map(|_| Color::random(n as u64))
-    });
-    draw_model(&model, &exact.run, &mut lit, |_, corners| brightness(corners).map(Color::gray));
+    draw_model(&model, exact, &mut random, |n, corners| brightness(corners).map(|_| Color::random(n as u64)));
+    draw_model(&model, exact, &mut lit, |_, corners| brightness(corners).map(Color::gray));
     let (texture, normals) = (texture()?, corner_normals(&model));
     let scene = Scene { model: &model, normals, texture: &texture, light: Vec3::Z };
-    gouraud(&scene, &mut smooth, |point| Some(to_screen(point, Vec2::splat(600.0))));
-    beside(&[&wires, &random, &lit, &smooth])
+    let smooth = smooth(600, &scene, |point| Some(to_screen(point, Vec2::splat(600.0))));
+    beside([&wires, &random, &lit, &smooth])
 }
 
 fn compare() -> anyhow::Result<Drawing> {
     let draw = |name: &str| -> anyhow::Result<Image> {
-        let method = Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?;
-        let mut image = Image::new(100, 100, Format::Rgb);
-        (method.run.draw)(IVec2::new(13, 20), IVec2::new(80, 40), &mut image, Color::WHITE);
-        (method.run.draw)(IVec2::new(20, 13), IVec2::new(40, 80), &mut image, Color::RED);
+        let draw = method(METHODS, name)?.draw;
+        let mut image = canvas(100);
+        draw(IVec2::new(13, 20), IVec2::new(80, 40), &mut image, Color::WHITE);
+        draw(IVec2::new(20, 13), IVec2::new(40, 80), &mut image, Color::RED);
         Ok(image)
     };
     let (a, b) = (draw("bresenham")?, draw("listing")?);
     let difference = Difference::between(&a, &b).picture(&a);
-    beside(&[&a, &b, &difference])
+    beside([&a, &b, &difference])
 }

@@ -1,7 +1,7 @@
 //! Pictures with a fault put in, each beside the right one.
 
 use anyhow::Context;
-use common::{Color, Format, Image, Mat4, Model, Quat, Vec2, Vec3};
+use common::{Color, Image, Mat4, Model, Quat, Vec2, Vec3};
 use gouraud::corner_normals;
 use textures::{interpolate, texel};
 use transforms::{normal_matrix, place, projection, scale, translate, viewport};
@@ -9,7 +9,8 @@ use triangles::barycentric::weights;
 use triangles::{flat_intensity, to_screen};
 use zbuffer::{DepthBuffer, fill_nearest};
 
-use crate::figures::{Drawing, Figure, beside, model};
+use crate::figures::picture::{beside, canvas, model, painted};
+use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new("wrong-upside-down", "A model, and the same standing on its head.", upside_down),
@@ -89,20 +90,16 @@ fn picture(
     put: impl Fn(Vec3) -> Option<Vec3>,
     color: impl Fn(usize, Vec3) -> Option<Color>,
 ) -> Image {
-    let mut image = Image::new(SIDE, SIDE, Format::Rgb);
+    let mut image = canvas(SIDE);
     let mut depths = DepthBuffer::new(&image, f32::NEG_INFINITY);
     for (n, corners) in model.faces().enumerate() {
         if let [Some(a), Some(b), Some(c)] = corners.map(&put) {
-            fill_nearest(
-                [a, b, c],
-                &mut depths,
-                |depth| depth,
-                |x, y, weights| {
-                    if let Some(color) = color(n, weights) {
-                        image.set(x, y, color);
-                    }
-                },
-            );
+            let store = |depth| depth;
+            fill_nearest([a, b, c], &mut depths, store, |x, y, weights| {
+                if let Some(color) = color(n, weights) {
+                    image.set(x, y, color);
+                }
+            });
         }
     }
     image
@@ -139,14 +136,14 @@ fn upside_down() -> anyhow::Result<Drawing> {
     let right = picture(&model, straight, gray(smooth(&model, LIGHT)));
     let mut wrong = right.clone();
     wrong.flip_vertically();
-    beside(&[&right, &wrong])
+    beside([&right, &wrong])
 }
 
 fn farthest() -> anyhow::Result<Drawing> {
     let model = cube()?;
     let right = by(tilted());
     let wrong = |point: Vec3| right(point).map(|p| p.with_z(-p.z));
-    beside(&[&picture(&model, &right, painted), &picture(&model, wrong, painted)])
+    beside([&picture(&model, &right, sides), &picture(&model, wrong, sides)])
 }
 
 fn light() -> anyhow::Result<Drawing> {
@@ -154,7 +151,7 @@ fn light() -> anyhow::Result<Drawing> {
     let from = Vec3::new(0.8, 0.0, 0.6);
     let right = picture(&model, straight, gray(smooth(&model, from)));
     let wrong = picture(&model, straight, gray(smooth(&model, from.with_x(-from.x))));
-    beside(&[&right, &wrong])
+    beside([&right, &wrong])
 }
 
 fn wrapped() -> anyhow::Result<Drawing> {
@@ -167,21 +164,21 @@ fn wrapped() -> anyhow::Result<Drawing> {
         let level = (intensity(n, weights) * 255.0) as i32 as u8;
         Some(Color::rgb(level, level, level))
     });
-    beside(&[&right, &wrong])
+    beside([&right, &wrong])
 }
 
 fn facets() -> anyhow::Result<Drawing> {
     let model = model()?;
     let flat = flat(&model, LIGHT);
     let right = picture(&model, straight, gray(smooth(&model, LIGHT)));
-    beside(&[&right, &picture(&model, straight, gray(|n, _| flat[n]))])
+    beside([&right, &picture(&model, straight, gray(|n, _| flat[n]))])
 }
 
 fn holes() -> anyhow::Result<Drawing> {
     const SMALL: u16 = 110;
     let model = model()?;
     let size = Vec2::splat(f32::from(SMALL));
-    let [mut right, mut wrong] = [(); 2].map(|()| Image::new(SMALL, SMALL, Format::Rgb));
+    let [mut right, mut wrong] = [(); 2].map(|()| canvas(SMALL));
     for corners in model.faces() {
         let intensity = flat_intensity(corners, Vec3::Z);
         if intensity < 0.0 {
@@ -200,26 +197,24 @@ fn holes() -> anyhow::Result<Drawing> {
             }
         });
     }
-    beside(&[&right.scale(SIDE, SIDE), &wrong.scale(SIDE, SIDE)])
+    beside([&right.scale(SIDE, SIDE), &wrong.scale(SIDE, SIDE)])
 }
 
 /// A texture that tells its directions: squares, redder to the right, greener to the top, with a letter F.
 fn chequered() -> Image {
     const CELLS: i32 = 6;
     const CELL: i32 = 24;
-    let mut image = Image::new((CELLS * CELL) as u16, (CELLS * CELL) as u16, Format::Rgb);
-    let side = CELLS * CELL;
-    for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
+    const SIDE: i32 = CELLS * CELL;
+    painted(SIDE as u16, SIDE as u16, |x, y| {
         let (u, v) = (x % CELL, y % CELL);
         let letter = (6..10).contains(&u) && (4..20).contains(&v)
             || (6..18).contains(&u) && (16..20).contains(&v)
             || (6..15).contains(&u) && (10..13).contains(&v);
-        let share = |n: i32| (60 + n * 195 / side) as u8;
+        let share = |n: i32| (60 + n * 195 / SIDE) as u8;
         let dark = (x / CELL + y / CELL) % 2 == 0;
         let ground = if dark { Color::rgb(share(x), share(y), 120) } else { Color::rgb(235, 230, 215) };
-        image.set(x, y, if letter { Color::rgb(30, 30, 40) } else { ground });
-    }
-    image
+        if letter { Color::rgb(30, 30, 40) } else { ground }
+    })
 }
 
 /// The chequered texture under light; `look` says where to look it up.
@@ -239,13 +234,13 @@ fn texture_upside_down() -> anyhow::Result<Drawing> {
         let uv = interpolate(uvs, weights);
         uv.with_y(1.0 - uv.y)
     };
-    beside(&[&textured(&model, interpolate), &textured(&model, wrong)])
+    beside([&textured(&model, interpolate), &textured(&model, wrong)])
 }
 
 fn corners() -> anyhow::Result<Drawing> {
     let model = model()?;
     let wrong = |[a, b, c]: [Vec2; 3], weights| interpolate([b, c, a], weights);
-    beside(&[&textured(&model, interpolate), &textured(&model, wrong)])
+    beside([&textured(&model, interpolate), &textured(&model, wrong)])
 }
 
 fn order() -> anyhow::Result<Drawing> {
@@ -253,8 +248,8 @@ fn order() -> anyhow::Result<Drawing> {
     let turn = Mat4::from_quat(Quat::from_rotation_z(0.6));
     let away = translate(Vec3::new(0.6, 0.0, 0.0));
     let small = scale(Vec3::splat(0.5)) * tilted();
-    let draw = |m: Mat4| picture(&model, by(m * small), painted);
-    beside(&[&draw(away * turn), &draw(turn * away)])
+    let draw = |m: Mat4| picture(&model, by(m * small), sides);
+    beside([&draw(away * turn), &draw(turn * away)])
 }
 
 /// A box whose corners have whole coordinates ±1, as twelve triangles.
@@ -270,7 +265,7 @@ fn cube() -> anyhow::Result<Model> {
 }
 
 /// A colour for each side of the box, two triangles a side.
-fn painted(n: usize, _: Vec3) -> Option<Color> {
+fn sides(n: usize, _: Vec3) -> Option<Color> {
     const SIDES: [u32; 6] = [0xe69f00, 0x999999, 0xf0e442, 0x009e73, 0x0072b2, 0xd55e00];
     let [_, r, g, b] = SIDES.get(n / 2)?.to_be_bytes();
     Some(Color::rgb(r, g, b))
@@ -283,8 +278,8 @@ fn tilted() -> Mat4 {
 
 fn perspective() -> anyhow::Result<Drawing> {
     let model = cube()?;
-    let draw = |d: f32| picture(&model, by(projection(d) * tilted()), painted);
-    beside(&[&draw(2.0), &draw(-2.0)])
+    let draw = |d: f32| picture(&model, by(projection(d) * tilted()), sides);
+    beside([&draw(2.0), &draw(-2.0)])
 }
 
 fn normals() -> anyhow::Result<Drawing> {
@@ -299,7 +294,7 @@ fn normals() -> anyhow::Result<Drawing> {
             Some(Color::gray(gouraud::intensities(turned, light).dot(weights)))
         })
     };
-    beside(&[&draw(upright), &draw(common::Mat3::from_mat4(flat))])
+    beside([&draw(upright), &draw(common::Mat3::from_mat4(flat))])
 }
 
 fn off_center() -> anyhow::Result<Drawing> {
@@ -313,5 +308,5 @@ fn off_center() -> anyhow::Result<Drawing> {
         Ok(picture(&model, by(m), gray(&shade)))
     };
     let [right, wrong] = [camera::lookat, camera::listing].map(|view| view(eye, center, Vec3::Y));
-    beside(&[&draw(right)?, &draw(wrong)?])
+    beside([&draw(right)?, &draw(wrong)?])
 }

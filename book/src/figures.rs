@@ -3,21 +3,22 @@
 //! A figure is a row of a table `FIGURES` in the file beside its chapter: a name, what a reader who cannot see it
 //! is told, and the function that draws it. A page shows it with `{{figure name}}`.
 
+pub(crate) mod picture;
+pub(crate) mod shape;
 pub(crate) mod sheet;
 
 use std::panic::Location;
 use std::path::Path;
 
-use common::compare::side_by_side;
-use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE};
-use common::{Attributes, Image, Model};
+use anyhow::Context;
+use common::Image;
 
 use crate::lessons::LESSONS;
 use crate::pages;
 use sheet::Sheet;
 
 /// Every figure of the book.
-pub(crate) fn all() -> impl Iterator<Item = &'static Figure> {
+fn all() -> impl Iterator<Item = &'static Figure> {
     let of_lessons = LESSONS.iter().map(|lesson| lesson.figures);
     of_lessons.chain([pages::front::FIGURES, pages::wrong::FIGURES]).flatten()
 }
@@ -45,22 +46,40 @@ impl Figure {
     }
 }
 
-/// The lessons' model, with all that it has.
-pub(crate) fn model() -> anyhow::Result<Model> {
-    Ok(Model::read(Path::new(DEFAULT_MODEL), Attributes { normals: true, uvs: true })?)
+/// A figure and what it draws.
+pub(crate) struct Drawn {
+    /// The figure.
+    pub(crate) figure: &'static Figure,
+    /// What it draws.
+    pub(crate) drawing: Drawing,
 }
 
-/// The head's texture.
-pub(crate) fn texture() -> anyhow::Result<Image> {
-    Ok(Image::read(Path::new(DEFAULT_TEXTURE))?)
+impl Drawn {
+    /// The name of its file.
+    pub(crate) fn file(&self) -> String {
+        format!("{}.{}", self.figure.name, self.drawing.ending())
+    }
 }
 
-/// Pictures side by side, as wide as a page.
-pub(crate) fn beside(pictures: &[&Image]) -> anyhow::Result<Drawing> {
-    const WIDTH: u16 = 900;
-    let sheet = side_by_side(pictures).map_err(anyhow::Error::msg)?;
-    let height = sheet.height() * i32::from(WIDTH) / sheet.width().max(1);
-    Ok(Drawing::Pixels(sheet.scale(WIDTH, height as u16), 1))
+/// Draws all figures.
+///
+/// # Errors
+/// Where one cannot be drawn.
+pub(crate) fn draw() -> anyhow::Result<Vec<Drawn>> {
+    let draw = |figure: &'static Figure| {
+        let drawing = (figure.draw)().with_context(|| format!("the figure {}", figure.name))?;
+        Ok(Drawn { figure, drawing })
+    };
+    all().map(draw).collect()
+}
+
+/// Writes figures into a folder, which is made if need be.
+///
+/// # Errors
+/// Where a file cannot be written.
+pub(crate) fn write(figures: &[Drawn], folder: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    figures.iter().try_for_each(|drawn| drawn.drawing.write(&folder.join(drawn.file())))
 }
 
 /// What was drawn.
@@ -79,7 +98,7 @@ impl From<Sheet> for Drawing {
 
 impl Drawing {
     /// The ending of its file's name.
-    pub(crate) fn ending(&self) -> &'static str {
+    fn ending(&self) -> &'static str {
         match self {
             Self::Svg(_) => "svg",
             Self::Pixels(..) => "png",
@@ -101,7 +120,7 @@ impl Drawing {
     ///
     /// # Errors
     /// Where the file cannot be written.
-    pub(crate) fn write(&self, path: &Path) -> anyhow::Result<()> {
+    fn write(&self, path: &Path) -> anyhow::Result<()> {
         match self {
             Self::Svg(sheet) => common::file::write_whole(path, sheet.to_string().as_bytes())?,
             Self::Pixels(image, factor) => {

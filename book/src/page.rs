@@ -15,7 +15,7 @@
 //! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`](crate::quiz) |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -25,6 +25,7 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use regex::Regex;
 
 use crate::fault::Fault;
+use crate::figures::Drawn;
 use crate::lessons::tables;
 use crate::markup::{escaped, guarded};
 use crate::math::mathml;
@@ -32,24 +33,14 @@ use crate::quiz;
 use crate::quote::Quote;
 use crate::values::{Table, spelled};
 
-/// A figure as a page needs it.
-pub(crate) struct Shown {
-    /// Its file's name.
-    pub(crate) file: String,
-    /// What it shows, in words.
-    pub(crate) alt: &'static str,
-    /// Width and height on the page.
-    pub(crate) size: (u32, u32),
-}
-
 /// What a page can draw on.
 pub(crate) struct Sources<'a> {
     /// The repository, which quoted code is from.
     pub(crate) root: &'a Path,
     /// The folder of the charts.
     pub(crate) charts: &'a Path,
-    /// The figures by name.
-    pub(crate) figures: &'a BTreeMap<&'static str, Shown>,
+    /// The figures.
+    pub(crate) figures: &'a [Drawn],
 }
 
 /// A link to another place of the book.
@@ -285,10 +276,11 @@ impl Writer<'_> {
     }
 
     fn drawn(&mut self, name: &str) -> Result<String, String> {
-        let Shown { file, alt, size: (width, height) } =
-            self.sources.figures.get(name).ok_or_else(|| format!("there is no figure `{name}`"))?;
+        let drawn = self.sources.figures.iter().find(|drawn| drawn.figure.name == name);
+        let drawn = drawn.ok_or_else(|| format!("there is no figure `{name}`"))?;
         self.page.figures.insert(name.into());
-        let alt = escaped(alt);
+        let (file, (width, height)) = (drawn.file(), drawn.drawing.size());
+        let alt = escaped(drawn.figure.alt);
         Ok(format!("<img src=\"figures/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\">"))
     }
 
@@ -354,6 +346,8 @@ fn ensure_margin(at_margin: bool, what: &str) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figures::Figure;
+    use crate::figures::sheet::Sheet;
 
     /// A page of this source in a folder with one lesson file and one table.
     fn page(source: &str) -> Page {
@@ -364,8 +358,8 @@ mod tests {
             "// ANCHOR: f\nfn f() {\n    g();\n}\n// ANCHOR_END: f\n// ANCHOR: none\n// ANCHOR_END: none\n";
         std::fs::write(folder.path().join("lib.rs"), code).unwrap();
         std::fs::write(charts.join("t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
-        let shown = Shown { file: "dot.svg".into(), alt: "A dot.", size: (480, 100) };
-        let figures = BTreeMap::from([("dot", shown)]);
+        static DOT: Figure = Figure::new("dot", "A dot.", || Sheet::new((0.0, 0.0), (4.0, 1.0)).finish());
+        let figures = [Drawn { figure: &DOT, drawing: (DOT.draw)().unwrap() }];
         expand(
             "book/pages/x.md",
             source,
@@ -384,7 +378,7 @@ mod tests {
         let text = &made.markdown;
         for part in [
             "A 0.5, 2.0 times <math",
-            "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"100\"><figcaption>\n\n See <math",
+            "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"141\"><figcaption>\n\n See <math",
             "here.\n\n</figcaption></figure>",
             "<div class=\"quote-file\">lib.rs</div>\n\n<pre><code class=\"language-rust\">fn f() {\n    g();\n}\n</code>",
             "<div class=\"formula\" tabindex=\"0\"><math",

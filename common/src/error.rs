@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
+use crate::printable::shown;
+
 /// A file that could not be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The file could not be opened or read.
-    #[error("cannot read {}", path.display())]
+    #[error("cannot read {}", shown(path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -14,7 +16,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// The file could not be written; what was there before is there still.
-    #[error("cannot write {}", path.display())]
+    #[error("cannot write {}", shown(path))]
     Write {
         /// The file.
         path: PathBuf,
@@ -22,13 +24,13 @@ pub enum Error {
         source: std::io::Error,
     },
     /// The folder in which a file is to be written does not exist.
-    #[error("cannot write {}: its folder does not exist, create it first", path.display())]
+    #[error("cannot write {}: its folder does not exist, create it first", shown(path))]
     NoFolder {
         /// The file.
         path: PathBuf,
     },
     /// What should be the folder of a file to be written is one itself.
-    #[error("cannot write {}: {} is a file and no folder", path.display(), folder.display())]
+    #[error("cannot write {}: {} is a file and no folder", shown(path), shown(folder))]
     NotAFolder {
         /// The file.
         path: PathBuf,
@@ -36,13 +38,30 @@ pub enum Error {
         folder: PathBuf,
     },
     /// The file's name does not say what it holds.
-    #[error("{}: the name of a picture must end in .tga or .png", path.display())]
+    #[error("{}: the name of a picture must end in .tga or .png", shown(path))]
     Ending {
         /// The file.
         path: PathBuf,
     },
+    /// The file's name is nothing but an ending.
+    #[error(
+        "{}: the name of a picture must end in .tga or .png and begin with something else, as in a{0}",
+        shown(path)
+    )]
+    NoName {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file is something else than its name says.
+    #[error("{}: not a picture that can be read: {kind}", shown(path))]
+    Kind {
+        /// The file.
+        path: PathBuf,
+        /// What it is, and what can be done.
+        kind: String,
+    },
     /// The file is larger than the course's largest model or picture could be.
-    #[error("{}: larger than the {} MiB that are read", path.display(), limit >> 20)]
+    #[error("{}: larger than the {} MiB that are read", shown(path), limit >> 20)]
     TooLarge {
         /// The file.
         path: PathBuf,
@@ -50,7 +69,7 @@ pub enum Error {
         limit: u64,
     },
     /// The file does not hold the picture that its name promises, or one beyond the limits.
-    #[error("{}: not a picture that can be read; is it whole, and named after what it is?", path.display())]
+    #[error("{}: not a picture that can be read; is it whole, and named after what it is?", shown(path))]
     Picture {
         /// The file.
         path: PathBuf,
@@ -58,7 +77,7 @@ pub enum Error {
         source: ::image::ImageError,
     },
     /// The picture cannot be stored, as it has no pixels.
-    #[error("cannot write {}: the picture cannot be encoded", path.display())]
+    #[error("cannot write {}: the picture cannot be encoded", shown(path))]
     Encode {
         /// The file.
         path: PathBuf,
@@ -66,7 +85,7 @@ pub enum Error {
         source: ::image::ImageError,
     },
     /// The file holds no model.
-    #[error("{}: {reason}", path.display())]
+    #[error("{}: {reason}", shown(path))]
     Model {
         /// The file.
         path: PathBuf,

@@ -1,5 +1,8 @@
 //! What a file is that is not what it was taken for.
 
+/// What a PNG file begins with.
+pub(crate) const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
 /// What bytes of a kind begin with, what they are, and what can be done.
 const KINDS: &[(&[u8], &str)] = &[
     (b"\xff\xfe", "text in UTF-16: save it as UTF-8"),
@@ -11,7 +14,7 @@ const KINDS: &[(&[u8], &str)] = &[
         b"version https://git-lfs.github.com/",
         "a pointer of Git LFS, which stands for the file: `git lfs pull` fetches it",
     ),
-    (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
+    (PNG, "a PNG picture, whose name ends in .png"),
     (b"\xff\xd8\xff", "a JPEG picture: convert it to PNG"),
     (b"GIF8", "a GIF picture: convert it to PNG"),
     (b"RIFF", "a WebP picture, or another RIFF file: convert it to PNG"),

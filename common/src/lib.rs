@@ -7,6 +7,7 @@
 //! | [`color`] | [`Color`] |
 //! | [`direction`] | vectors made 1 long, however long they were |
 //! | [`model`] | [`Model`], the triangles of an OBJ file, checked |
+//! | [`printable`] | text from outside, as it can be shown in a line |
 //! | [`placement`] | where a model is put when it is read |
 //! | [`lesson`] | [`Lesson`], what a lesson is called |
 //! | [`method`] | [`Method`], one row of a lesson's table of methods |
@@ -31,6 +32,7 @@ pub mod model;
 mod obj;
 pub mod placement;
 pub mod preview;
+pub mod printable;
 pub mod program;
 pub mod terminal;
 

@@ -69,17 +69,12 @@ impl Model {
 
     /// Makes these the positions, as they are placed.
     pub(crate) fn place(&mut self, positions: &[DVec3], placement: &Placement) {
-        let all = |place: &dyn Fn(DVec3) -> DVec3| positions.iter().map(|&p| place(p).as_vec3()).collect();
-        self.positions = match placement {
-            Placement::AsItIs => all(&|position| position),
-            Placement::About(origin) => all(&|position| position - origin),
-            Placement::Fit(up) => {
-                let fit = Fit::of(positions, *up);
-                self.normals.iter_mut().for_each(|normal| *normal = fit.turn(normal.as_dvec3()).as_vec3());
-                self.fit = Some(fit);
-                all(&|position| fit.place(position))
-            }
-        };
+        self.fit = placement.fit.map(|up| Fit::of(positions, up));
+        let place = |position: DVec3| self.fit.map_or(position, |fit| fit.place(position)) - placement.origin;
+        self.positions = positions.iter().map(|&position| place(position).as_vec3()).collect();
+        if let Some(fit) = self.fit {
+            self.normals.iter_mut().for_each(|normal| *normal = fit.turn(normal.as_dvec3()).as_vec3());
+        }
     }
 
     /// The positions that triangles and lines use, each line of the file once, in the order of their first use.
@@ -145,7 +140,7 @@ impl Model {
         self.positions.iter().map(|position| position.abs().max_element()).fold(0.0, f32::max)
     }
 
-    /// How it was moved and scaled, if it was [fitted](Placement::Fit).
+    /// How it was moved and scaled, if it was [fitted](Placement::fit).
     #[must_use]
     pub fn fit(&self) -> Option<&Fit> {
         self.fit.as_ref()

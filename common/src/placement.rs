@@ -6,25 +6,21 @@ use glam::DVec3;
 /// outline of a sphere of radius r is seen at r/√(1 − r²/4), which is 1 then, the border of the picture.
 const RADIUS: f64 = 0.894_427_190_999_915_9;
 
-/// What happens to the coordinates of a file, in f64, before they become `f32`.
+/// What happens to the coordinates of a file, in f64, before they become `f32`; by default, nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Placement {
-    /// Nothing.
-    #[default]
-    AsItIs,
-    /// This point becomes the origin: near it no digit is lost, however far it is from the file's origin.
-    About(DVec3),
-    /// The model is moved and scaled into view, whatever its units.
-    Fit(Up),
+pub struct Placement {
+    /// First the model is moved and scaled into view, whatever its units, if its up is given.
+    pub fit: Option<Up>,
+    /// Then this point becomes the origin: near it no digit is lost, however far away it was.
+    pub origin: DVec3,
 }
 
 /// The axis of a file that is up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Up {
     /// As in this course.
-    #[default]
     Y,
-    /// As in most programs for construction and maps: x stays, z becomes y, and y becomes −z.
+    /// As in programs for construction and maps: z becomes y, and y becomes −z.
     Z,
 }
 

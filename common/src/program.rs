@@ -7,6 +7,7 @@
 pub mod flags;
 pub mod model;
 mod output;
+mod texture;
 pub mod values;
 
 use std::ffi::OsString;

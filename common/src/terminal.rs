@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context;
 
+use crate::printable::printable;
+
 /// Prints to standard output. A reader that has gone away wants no more: that is no error.
 ///
 /// # Errors
@@ -20,9 +22,9 @@ pub fn print(text: &str) -> anyhow::Result<()> {
 }
 
 /// Says a line on standard error. Where that fails there is nobody left to tell: unlike the macro of that
-/// name, it does not panic.
+/// name, it does not panic, and what would break the line is [`printable`].
 pub fn eprintln(line: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stderr(), "{line}");
+    let _ = writeln!(std::io::stderr(), "{}", printable(&line.to_string()));
 }
 
 /// A line on standard error that says how far a long work has come, if that is a terminal; it disappears at

@@ -1,7 +1,7 @@
 use std::fs;
 
 use common::program::model::DEFAULT_MODEL;
-use common::{Attributes, Model};
+use common::{Attributes, Color, Image, Model};
 use proptest::prelude::*;
 use tempfile::tempdir;
 use verify::run;
@@ -37,6 +37,178 @@ fn what_is_no_model_is_an_error() {
         }
     }
     assert!(!names(folder.path()).contains(&"out".into()), "nothing was drawn, so no folder was needed");
+}
+
+#[test]
+fn what_is_something_else_is_told() {
+    let folder = tempdir().unwrap();
+    let wide: Vec<u8> = "\u{feff}v 0 0 0\nf 1 1 1\n".encode_utf16().flat_map(u16::to_be_bytes).collect();
+    for (name, bytes, said) in [
+        ("a.obj", &wide[..], "a.obj: it is text in UTF-16: save it as UTF-8"),
+        ("b.obj", b"\x1f\x8b\x08\0\0", "b.obj: it is compressed by gzip: unpack it first"),
+        ("c.obj", b"\r\n<!DOCTYPE html>", "c.obj: it is a page in HTML: download the file itself"),
+        ("d.obj", b"version https://git-lfs.github.com/spec/v1\noid", "d.obj: it is a pointer of Git LFS"),
+    ] {
+        fs::write(folder.path().join(name), bytes).unwrap();
+        assert_fails(&run("zbuffer", folder.path(), &["--model", name]), 1, &[said]);
+    }
+}
+
+#[test]
+fn lines_are_drawn_by_the_lesson_that_draws_lines() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("a.obj"), "v -1 -1 0\nv 1 1 0\nv 1 -1 0\nvt 0 0\nl 1 2 3/1\n").unwrap();
+    let arguments = ["--model", "a.obj", "--size", "9x9", "--out", "a.png"];
+    assert!(run("wireframe", folder.path(), &arguments).status.success());
+    let picture = Image::read(&folder.path().join("a.png")).unwrap();
+    for (x, y, color) in picture.pixels() {
+        assert_eq!(color == Color::WHITE, x == y || x == 8, "({x}, {y})");
+    }
+    let said = "a.obj: there are lines in it and no faces; lesson 2 draws lines: cargo run -p wireframe -- --model a.obj";
+    for lesson in ["triangles", "zbuffer", "textures", "shaders"] {
+        assert_fails(&run(lesson, folder.path(), &arguments), 1, &[said]);
+    }
+}
+
+/// What lies out of view is told with the cure, and the cure cures.
+#[test]
+fn a_model_of_any_size_can_be_brought_into_view() {
+    let folder = tempdir().unwrap();
+    for (name, size) in [("mm.obj", 1000.0), ("small.obj", 0.001)] {
+        let text = format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n");
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let arguments = ["--size", "80x80", "--out", "a.png", "--model"];
+    for lesson in
+        ["wireframe", "triangles", "zbuffer", "textures", "gouraud", "transforms", "camera", "shaders"]
+    {
+        for (name, said) in [
+            (
+                "mm.obj",
+                "mm.obj: it reaches to 1000, and what lies beyond 1 may be out of view: --fit brings it in\n",
+            ),
+            ("small.obj", "small.obj: it reaches to 0.001 only: --fit makes it as large as the view\n"),
+        ] {
+            let output = run(lesson, folder.path(), &[&arguments[..], &[name]].concat());
+            assert!(
+                output.status.success() && String::from_utf8_lossy(&output.stderr).starts_with(said),
+                "{lesson}"
+            );
+            let output = run(lesson, folder.path(), &[&arguments[..], &[name, "--fit"]].concat());
+            let said = format!("{name}: ");
+            assert!(
+                output.status.success() && String::from_utf8_lossy(&output.stderr).starts_with(&said),
+                "{lesson}"
+            );
+            assert!(String::from_utf8_lossy(&output.stderr).contains(" units about ("), "{lesson}");
+            let picture = Image::read(&folder.path().join("a.png")).unwrap();
+            let drawn = picture.pixels().filter(|pixel| pixel.2 != Color::BLACK).count();
+            assert!(drawn >= if lesson == "wireframe" { 80 } else { 400 }, "{lesson} {name}: {drawn} pixels");
+        }
+    }
+    let help = run("wireframe", folder.path(), &["--help"]);
+    assert!(String::from_utf8_lossy(&help.stdout).contains("between -1 and 1 is in view"));
+}
+
+/// z becomes y: what lies flat in the file's xy plane is seen from its edge.
+#[test]
+fn a_model_with_z_up_can_be_put_upright() {
+    let folder = tempdir().unwrap();
+    let text = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 9 0 1\nv 0 0 1\nf 1 2 3 4\nf 1 2 5 6\n";
+    fs::write(folder.path().join("a.obj"), text).unwrap();
+    let rows = |up: &str| {
+        let arguments = ["--model", "a.obj", "--size", "90x90", "--out", "a.png", "--fit", up];
+        assert!(run("wireframe", folder.path(), &arguments).status.success());
+        let picture = Image::read(&folder.path().join("a.png")).unwrap();
+        let lit: Vec<i32> =
+            picture.pixels().filter(|pixel| pixel.2 == Color::WHITE).map(|pixel| pixel.1).collect();
+        lit.iter().max().unwrap() - lit.iter().min().unwrap()
+    };
+    assert!(rows("y") > 50 && rows("z") < 10);
+}
+
+/// A unit cube where surveyors have it is the same picture as one at the origin.
+#[test]
+fn a_model_far_from_the_origin_is_drawn_as_it_is() {
+    let folder = tempdir().unwrap();
+    let cube = |name: &str, [x, y, z]: [f64; 3]| {
+        let mut text = String::new();
+        for n in 0..8 {
+            let [dx, dy, dz] = [n & 1, n >> 1 & 1, n >> 2].map(f64::from);
+            text += &format!("v {:.2} {:.2} {:.2}\n", x + dx, y + dy, z + dz);
+        }
+        text += "vt 0 0\nvt 1 1\nf 1/1 3/1 4/2 2/2\nf 5/1 6/1 8/2 7/2\nf 1/1 2/1 6/2 5/2\nf 3/1 7/1 8/2 4/2\nf 1/1 5/1 7/2 3/2\nf 2/1 4/1 8/2 6/2\n";
+        fs::write(folder.path().join(name), text).unwrap();
+    };
+    let place = [500_000.37, 4_649_776.81, 212.4];
+    cube("near.obj", [0.0; 3]);
+    cube("far.obj", place);
+    let draw = |lesson: &str, model: &str, [x, y, z]: [f64; 3]| {
+        let eye = format!("{},{},{}", x + 1.25, y + 1.5, z + 2.75);
+        let center = format!("{},{},{}", x + 0.5, y + 0.5, z + 0.5);
+        let arguments = [
+            "--model",
+            model,
+            "--texture",
+            CRATE,
+            "--eye",
+            &eye,
+            "--center",
+            &center,
+            "--size",
+            "150x150",
+            "--out",
+            "a.png",
+        ];
+        assert!(run(lesson, folder.path(), &arguments).status.success());
+        Image::read(&folder.path().join("a.png")).unwrap()
+    };
+    for lesson in ["camera", "shaders"] {
+        let (near, far) = (draw(lesson, "near.obj", [0.0; 3]), draw(lesson, "far.obj", place));
+        let differ = near.pixels().zip(far.pixels()).filter(|(a, b)| a.2 != b.2).count();
+        assert!(near.pixels().filter(|pixel| pixel.2 != Color::BLACK).count() > 2000, "{lesson}");
+        assert!(differ <= 10, "{lesson}: {differ} pixels");
+    }
+}
+
+/// A model of one's own has its own texture, or a checker, and never the head's skin; the line says which.
+#[test]
+fn a_model_brings_its_texture() {
+    let folder = tempdir().unwrap();
+    let square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n";
+    let faces = "f 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    fs::write(folder.path().join("own.obj"), format!("mtllib own.mtl\n{square}usemtl red\n{faces}")).unwrap();
+    fs::write(folder.path().join("own.mtl"), "newmtl red\nmap_Kd red.tga\n").unwrap();
+    fs::write(folder.path().join("bare.obj"), format!("{square}{faces}")).unwrap();
+    let mut red = Image::new(1, 1, common::Format::Rgb);
+    red.set(0, 0, Color::RED);
+    red.write(&folder.path().join("red.tga")).unwrap();
+    for lesson in ["textures", "gouraud", "transforms"] {
+        let draw = |model: &str, said: &str| {
+            let output = run(lesson, folder.path(), &["--model", model, "--size", "40x40", "--out", "a.png"]);
+            assert_eq!(String::from_utf8_lossy(&output.stderr), said, "{lesson}");
+            Image::read(&folder.path().join("a.png")).unwrap()
+        };
+        let own = draw("own.obj", "own.obj: its texture is red.tga\n");
+        assert!(own.pixels().all(|pixel| pixel.2 == Color::RED), "{lesson}");
+        let bare = draw(
+            "bare.obj",
+            "bare.obj: drawn with a checker, as it names none; --texture FILE gives it another\n",
+        );
+        let mut colors: Vec<u8> = bare.pixels().map(|pixel| pixel.2.r).collect();
+        colors.sort_unstable();
+        colors.dedup();
+        assert_eq!(colors, [150, 230], "{lesson}");
+    }
+}
+
+#[test]
+fn the_first_face_without_texture_coordinates_is_named() {
+    let folder = tempdir().unwrap();
+    let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0\nf 1/1 2/1 3/1\nf 1 2 3\nf 1/1 2 3\n";
+    fs::write(folder.path().join("a.obj"), text).unwrap();
+    let said = ["a.obj: not every face has texture coordinates", "the first face without them is in line 6"];
+    assert_fails(&run("textures", folder.path(), &["--model", "a.obj"]), 1, &said);
 }
 
 #[test]

@@ -1,37 +1,47 @@
-//! What the tests of all lessons share: running a lesson's program, and snapshots of pictures.
+//! What the tests of all lessons share: running a lesson's program, what holds for every command line, and snapshots
+//! of pictures.
+//!
+//! The tests of a lesson are a package in `tests/lessons/NN-name`:
+//!
+//! | file | what is in it |
+//! |---|---|
+//! | `snapshots.rs` | what each method draws, against the `pictures/` beside it |
+//! | `stability.rs` | where methods fail, and where they must not: tables of (input, method, what must happen) |
+//! | `properties.rs` | what must hold for any input, tried on random ones; `proptest` makes a failing one small |
+//! | `usage.rs` | the program's command line |
+//! | `tasks/`, `judge.rs`, `faults.rs`, `solution.rs` | the mission: inputs, judgement, faults that are recognised |
+//!
+//! Small pictures are text; whole ones are PNG, drawn by the lesson's program. Up to lesson 6 the tolerance is 0:
+//! lines and `edges` compute in integers, and what is computed in floats uses +, −, ×, ÷ and √ alone, which
+//! IEEE 754 defines to the last bit on every platform. From lesson 7 on there are sines, which platforms round
+//! differently, and matrix products, which glam computes with fused multiplications on some processors. Both move
+//! a corner by an ulp or so: an intensity may then be rounded to the other side, and a pixel at a side or at a
+//! texel's border change hands.
+//!
+//! A failure is pinned to the letter, so that a test notices when a method stops failing as the lesson says it
+//! does. Every method of a lesson has a row for every input.
+//!
+//! This package's own tests:
 //!
 //! ```text
-//! lessons/     a folder a lesson: snapshots of what each method draws, stability tests, properties
-//! missions/    starters, solutions, and the faults that checks recognise
-//! files/       bad files and bad flags, and the assets made again
-//! benches/     what drawing costs
+//! course/   the lessons' folders are whole; the missions as a student meets them; a lesson more
+//! files/    bad files, and the assets made again
 //! ```
+
+pub mod usage;
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::LazyLock;
+use std::sync::{Mutex, PoisonError};
 
 use checks::picture::{Fault, faults};
 use common::file::Encoding;
-use common::{Bounds, IVec2, Image, Lesson};
+use common::{Bounds, IVec2, Image, Lesson, Vec3};
 use escargot::CargoBuild;
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot, assert_binary_snapshot, assert_snapshot};
-
-/// The lessons, in order.
-pub const LESSONS: [Lesson; 9] = [
-    lines::LESSON,
-    wireframe::LESSON,
-    triangles::LESSON,
-    zbuffer::LESSON,
-    textures::LESSON,
-    gouraud::LESSON,
-    transforms::LESSON,
-    camera::LESSON,
-    shaders::LESSON,
-];
 
 /// The sphere of 5,000 triangles.
 pub const SPHERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
@@ -39,24 +49,31 @@ pub const SPHERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.
 /// The wooden texture.
 pub const CRATE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/crate.png");
 
-/// The lessons' programs and the first of all, built once a process, in the profile of these tests: what they
-/// need is built already, and overflow is noticed.
-static PROGRAMS: LazyLock<BTreeMap<&str, PathBuf>> = LazyLock::new(|| {
-    let build = |name, build: CargoBuild| {
+/// A lesson's program, or that of the first example, built once a process, in the profile of these tests: what it
+/// needs is built already, and overflow is noticed.
+fn built(name: &str) -> PathBuf {
+    static BUILT: Mutex<BTreeMap<String, PathBuf>> = Mutex::new(BTreeMap::new());
+    let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
+    if !built.contains_key(name) {
+        let build = match name {
+            "pixel" => CargoBuild::new().package("common").example(name),
+            lesson => CargoBuild::new().package(lesson).bin(lesson),
+        };
         // Together with this package, so that they share its features and all that was built with them.
-        let built = build.arg("--package=verify").manifest_path("../Cargo.toml").run();
-        (name, built.unwrap_or_else(|error| panic!("{name}: {error}")).path().to_path_buf())
-    };
-    let lesson = |name| build(name, CargoBuild::new().package(name).bin(name));
-    let mut programs = BTreeMap::from(LESSONS.map(|one| lesson(one.name)));
-    programs.extend([build("pixel", CargoBuild::new().package("common").example("pixel"))]);
-    programs
-});
+        let program = build
+            .arg("--package=verify")
+            .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml"))
+            .run();
+        let program = program.unwrap_or_else(|error| panic!("{name}: {error}"));
+        built.insert(name.into(), program.path().to_path_buf());
+    }
+    built[name].clone()
+}
 
 /// A lesson's program, about to run in a folder.
 #[must_use]
 pub fn program(lesson: &str, folder: &Path) -> Command {
-    let mut command = Command::new(&PROGRAMS[lesson]);
+    let mut command = Command::new(built(lesson));
     command.current_dir(folder);
     command
 }
@@ -173,6 +190,33 @@ pub fn assert_text(lesson: &Lesson, name: &str, image: &Image) {
         (0..image.height()).rev().map(|y| (0..image.width()).map(|x| symbol(x, y)).collect::<String>());
     let text = rows.collect::<Vec<_>>().join("\n");
     settings(lesson).bind(|| assert_snapshot!(name, text));
+}
+
+/// The names in a folder, sorted.
+///
+/// # Panics
+/// Where it cannot be read.
+#[must_use]
+pub fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("the folder can be read");
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.expect("it can be read").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+/// The letter F in triangles, about the origin.
+#[must_use]
+pub fn letter() -> Vec<[Vec3; 3]> {
+    let bar = |[x0, y0, x1, y1]: [f32; 4]| {
+        let [a, b, c, d] = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        [[a, b, c], [a, c, d]]
+    };
+    [[-4.2, -7.1, -1.9, 7.1], [-1.9, 4.8, 4.9, 7.1], [-1.9, -0.6, 3.1, 1.7]]
+        .into_iter()
+        .flat_map(bar)
+        .collect()
 }
 
 /// The rectangle of pixels from (0, 0) on.

@@ -1,8 +1,9 @@
 //! Chapter 1: lines.
 
-use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2};
-use lines::{METHODS, Visit};
+use common::{Bounds, Color, Format, IVec2, Image, Vec2};
+use lines::METHODS;
 
+use crate::figures::picture::{canvas, method};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, GREEN, GREY, RED, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
@@ -79,21 +80,16 @@ pub(crate) const FIGURES: &[Figure] = &[
 
 /// The lesson's picture, by the lesson's own function.
 fn two_lines() -> anyhow::Result<Drawing> {
-    let mut image = Image::new(100, 100, Format::Rgb);
+    let mut image = canvas(100);
     lines::line(IVec2::new(13, 20), IVec2::new(80, 40), &mut image, Color::WHITE);
     lines::line(IVec2::new(20, 13), IVec2::new(40, 80), &mut image, Color::RED);
     Ok(Drawing::Pixels(image, 4))
 }
 
-fn method(name: &str) -> anyhow::Result<Visit> {
-    let found = Method::find(METHODS, name);
-    found.map(|method| method.run.visit).ok_or_else(|| anyhow::anyhow!("there is no method `{name}`"))
-}
-
 /// The pixels of a method.
-fn pixels(name: &str, [a, b]: [IVec2; 2]) -> anyhow::Result<Vec<(i32, i32, u8)>> {
+fn pixels(name: &str, [a, b]: [IVec2; 2]) -> anyhow::Result<Vec<(i32, i32)>> {
     let mut pixels = Vec::new();
-    method(name)?(a, b, Bounds::EVERYTHING, &mut |x, y, coverage| pixels.push((x, y, coverage)));
+    (method(METHODS, name)?.visit)(a, b, Bounds::EVERYTHING, &mut |x, y, _| pixels.push((x, y)));
     Ok(pixels)
 }
 
@@ -121,9 +117,7 @@ fn segment(sheet: &mut Sheet, ends: [IVec2; 2]) {
 /// What a method makes of a segment, with the ideal line over it.
 fn by(name: &str, ends: [IVec2; 2]) -> anyhow::Result<Drawing> {
     let mut sheet = grid(ends);
-    for (x, y, _) in pixels(name, ends)? {
-        sheet.pixel(x, y, SKY);
-    }
+    sheet.pixels(pixels(name, ends)?, SKY);
     segment(&mut sheet, ends);
     sheet.finish()
 }
@@ -133,43 +127,41 @@ fn ideal() -> anyhow::Result<Drawing> {
 }
 
 fn octants() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-3.0, -2.0), Vec2::new(3.0, 2.0));
+    let mut sheet = Sheet::new((-3.0, -2.0), (3.0, 2.0));
     let at = Vec2::new;
     let flat = |side: f32| {
         [at(0.0, 0.0), at(2.0 * side, 2.0), at(2.9 * side, 2.0), at(2.9 * side, -2.0), at(2.0 * side, -2.0)]
     };
     sheet.polygon(&flat(1.0), SKY, "none");
     sheet.polygon(&flat(-1.0), SKY, "none");
-    sheet.dashed(at(-2.0, -2.0), at(2.0, 2.0), GREY, 1.5);
-    sheet.dashed(at(-2.0, 2.0), at(2.0, -2.0), GREY, 1.5);
-    sheet.arrow(at(0.0, 0.0), at(2.5, 0.8), BLUE);
-    sheet.arrow(at(0.0, 0.0), at(-2.5, -0.8), RED);
-    sheet.arrow(at(0.0, 0.0), at(0.5, 1.8), BLUE);
-    sheet.text(at(1.75, -0.55), "|dx| ≥ |dy|", BLACK);
-    sheet.text(at(1.75, -0.9), "walk along x", BLACK);
-    sheet.text(at(-1.8, 0.9), "leftward: walk", BLACK);
-    sheet.text(at(-1.8, 0.55), "from the other end", BLACK);
-    sheet.text(at(-0.35, 1.75), "|dx| < |dy|", BLACK);
-    sheet.text(at(0.0, -1.4), "steep: swap", BLACK);
-    sheet.text(at(0.0, -1.75), "x and y", BLACK);
-    sheet.dot(at(0.0, 0.0), BLACK);
+    sheet.dashed((-2.0, -2.0), (2.0, 2.0), GREY, 1.5);
+    sheet.dashed((-2.0, 2.0), (2.0, -2.0), GREY, 1.5);
+    sheet.arrow((0.0, 0.0), (2.5, 0.8), BLUE);
+    sheet.arrow((0.0, 0.0), (-2.5, -0.8), RED);
+    sheet.arrow((0.0, 0.0), (0.5, 1.8), BLUE);
+    sheet.text((1.75, -0.55), "|dx| ≥ |dy|", BLACK);
+    sheet.text((1.75, -0.9), "walk along x", BLACK);
+    sheet.text((-1.8, 0.9), "leftward: walk", BLACK);
+    sheet.text((-1.8, 0.55), "from the other end", BLACK);
+    sheet.text((-0.35, 1.75), "|dx| < |dy|", BLACK);
+    sheet.text((0.0, -1.4), "steep: swap", BLACK);
+    sheet.text((0.0, -1.75), "x and y", BLACK);
+    sheet.dot((0.0, 0.0), BLACK);
     sheet.finish()
 }
 
 fn error() -> anyhow::Result<Drawing> {
     let ends = [IVec2::new(0, 0), IVec2::new(5, 2)];
     let mut sheet = grid(ends);
-    for (x, y, _) in pixels("bresenham", ends)? {
-        sheet.pixel(x, y, SKY);
-    }
+    sheet.pixels(pixels("bresenham", ends)?, SKY);
     segment(&mut sheet, ends);
-    for (x, y, _) in pixels("bresenham", ends)?.into_iter().filter(|&(x, ..)| (1..5).contains(&x)) {
+    for (x, y) in pixels("bresenham", ends)?.into_iter().filter(|&(x, ..)| (1..5).contains(&x)) {
         let from = center(IVec2::new(x, y));
         let to = Vec2::new(from.x, 0.5 + 0.4 * x as f32);
         sheet.line(from, to, if to.y > from.y { RED } else { GREEN }, 5.0);
         sheet.dot(from, BLUE);
         let words = format!("{:+.1}", to.y - from.y).replace('-', "−");
-        sheet.text(Vec2::new(from.x, y as f32 - 0.22), &words, BLACK);
+        sheet.text((from.x, y as f32 - 0.22), &words, BLACK);
     }
     sheet.finish()
 }
@@ -178,56 +170,52 @@ fn listing() -> anyhow::Result<Drawing> {
     let ends = [IVec2::new(0, 0), IVec2::new(10, 9)];
     let mut sheet = grid(ends);
     let right = pixels("bresenham", ends)?;
-    for &(x, y, _) in &right {
-        sheet.pixel(x, y, SKY);
-    }
-    for (x, y, _) in pixels("listing", ends)? {
-        if !right.contains(&(x, y, 255)) {
-            sheet.pixel(x, y, AMBER);
-        }
-    }
+    sheet.pixels(right.iter().copied(), SKY);
+    sheet.pixels(pixels("listing", ends)?.into_iter().filter(|pixel| !right.contains(pixel)), AMBER);
     segment(&mut sheet, ends);
-    sheet.text_right_of(Vec2::new(5.4, 2.5), "blue: Bresenham", BLUE);
-    sheet.text_left_of(Vec2::new(5.6, 8.5), "amber: the listing", RED);
+    sheet.text_right_of((5.4, 2.5), "blue: Bresenham", BLUE);
+    sheet.text_left_of((5.6, 8.5), "amber: the listing", RED);
     sheet.finish()
 }
 
 fn smooth() -> anyhow::Result<Drawing> {
     let mut image = Image::new(60, 24, Format::Rgb);
     for (name, up) in [("bresenham", 0), ("wu", 9)] {
-        let method = Method::find(METHODS, name).ok_or_else(|| anyhow::anyhow!("no method {name}"))?;
-        (method.run.draw)(IVec2::new(2, 2 + up), IVec2::new(57, 12 + up), &mut image, Color::WHITE);
+        (method(METHODS, name)?.draw)(
+            IVec2::new(2, 2 + up),
+            IVec2::new(57, 12 + up),
+            &mut image,
+            Color::WHITE,
+        );
     }
     Ok(Drawing::Pixels(image, 10))
 }
 
 fn visible() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-12.0, -6.0), Vec2::new(12.0, 6.0));
+    let mut sheet = Sheet::new((-12.0, -6.0), (12.0, 6.0));
     let at = Vec2::new;
     let slope = |x: f32| at(x, x * 0.4 + 0.3);
-    sheet.polygon(&[at(-4.0, -3.0), at(4.0, -3.0), at(4.0, 3.0), at(-4.0, 3.0)], "#ffffff", GREY);
+    sheet.rectangle((-4.0, -3.0), (4.0, 3.0), "#ffffff", GREY);
     sheet.dashed(slope(-11.5), slope(-4.0), GREY, 2.0);
     sheet.dashed(slope(4.0), slope(11.5), GREY, 2.0);
     sheet.line(slope(-4.0), slope(4.0), BLUE, 4.0);
     sheet.dot(slope(-4.0), RED);
-    sheet.text(at(0.0, 2.3), "the window", BLACK);
-    sheet.text_left_of(at(-4.3, 0.9), "the first step", RED);
-    sheet.text_left_of(at(-4.3, -0.1), "that can be seen", RED);
-    sheet.text(at(8.2, 2.0), "skipped", GREY);
-    sheet.text(at(-8.6, -4.6), "skipped", GREY);
+    sheet.text((0.0, 2.3), "the window", BLACK);
+    sheet.text_left_of((-4.3, 0.9), "the first step", RED);
+    sheet.text_left_of((-4.3, -0.1), "that can be seen", RED);
+    sheet.text((8.2, 2.0), "skipped", GREY);
+    sheet.text((-8.6, -4.6), "skipped", GREY);
     sheet.finish()
 }
 
 fn ties() -> anyhow::Result<Drawing> {
     let ends = [IVec2::new(0, 0), IVec2::new(8, 4)];
     let mut sheet = grid(ends);
-    for (x, y, _) in pixels("bresenham", ends)? {
+    for (x, y) in pixels("bresenham", ends)? {
         sheet.pixel(x, y, SKY);
         if x % 2 == 1 {
-            let [low, high] = [IVec2::new(x, y + 1), IVec2::new(x + 1, y + 2)].map(IVec2::as_vec2);
-            let inset = 0.06;
-            let [low, high] = [low + inset, high - inset];
-            sheet.polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)], "none", RED);
+            let (above, inset) = (IVec2::new(x, y + 1).as_vec2(), 0.06);
+            sheet.rectangle(above + inset, above + 1.0 - inset, "none", RED);
         }
     }
     segment(&mut sheet, ends);
@@ -239,7 +227,7 @@ fn drift() -> anyhow::Result<Drawing> {
     const COLUMNS: i32 = 12;
     let ends = [IVec2::new(0, 0), IVec2::new(LENGTH, 24_050)];
     let shown = |name: &str| -> anyhow::Result<Vec<IVec2>> {
-        let all = pixels(name, ends)?.into_iter().map(|(x, y, _)| IVec2::new(x, y));
+        let all = pixels(name, ends)?.into_iter().map(IVec2::from);
         Ok(all.filter(|pixel| pixel.x > LENGTH - COLUMNS).collect())
     };
     let (right, wrong) = (shown("bresenham")?, shown("slope")?);
@@ -250,9 +238,7 @@ fn drift() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new(Vec2::ZERO, (high - low).as_vec2());
     sheet.grid((0, 0), (high - low).into());
     for (list, ink) in [(&right, SKY), (&wrong, AMBER)] {
-        for pixel in list {
-            sheet.pixel(pixel.x - low.x, pixel.y - low.y, ink);
-        }
+        sheet.pixels(list.iter().map(|&pixel| (pixel - low).into()), ink);
     }
     let last = ends[1] - low;
     let slope = 24_050.0 / LENGTH as f32;
@@ -261,13 +247,13 @@ fn drift() -> anyhow::Result<Drawing> {
     sheet.dot(end, BLACK);
     let middle = (high - low).x as f32 / 2.0;
     let height = |list: &[IVec2]| list.iter().map(|pixel| pixel.y - low.y).max().unwrap_or_default() as f32;
-    sheet.text(Vec2::new(middle - 2.5, height(&right) + 0.6), "bresenham", BLUE);
-    sheet.text(Vec2::new(middle - 2.5, height(&wrong) + 0.6), "slope", RED);
+    sheet.text((middle - 2.5, height(&right) + 0.6), "bresenham", BLUE);
+    sheet.text((middle - 2.5, height(&wrong) + 0.6), "slope", RED);
     sheet.finish()
 }
 
 fn diamond() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(0.0, 0.0), Vec2::new(6.0, 3.0));
+    let mut sheet = Sheet::new((0.0, 0.0), (6.0, 3.0));
     let (from, to) = (Vec2::new(0.55, 0.55), Vec2::new(5.45, 2.45));
     sheet.grid((0, 0), (6, 3));
     let pixels = (0..3).flat_map(|y| (0..6).map(move |x| IVec2::new(x, y)));

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::f32::consts::FRAC_PI_3;
 
 use anyhow::{Context, anyhow};
-use common::{Attributes, Color, Format, Image, Model, Vec2, Vec3};
+use common::{Color, Model, Vec2, Vec3};
 use lines::line;
 use wireframe::{three_per_triangle, to_pixel, wireframe};
 
+use crate::figures::picture::{all_beside, beside, canvas, model};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, PAPER, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model};
+use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -65,7 +66,7 @@ pub(crate) const FIGURES: &[Figure] = &[
 
 /// The lesson's picture, by the lesson's own function.
 fn head() -> anyhow::Result<Drawing> {
-    let mut image = Image::new(720, 720, Format::Rgb);
+    let mut image = canvas(720);
     wireframe(&model()?, &mut image, Color::WHITE);
     Ok(Drawing::Pixels(image, 1))
 }
@@ -73,7 +74,7 @@ fn head() -> anyhow::Result<Drawing> {
 fn sharing() -> anyhow::Result<Drawing> {
     let points = [(0.0, 0.0), (3.0, 0.4), (1.4, 2.4), (4.6, 2.6), (6.4, 0.7)].map(|(x, y)| Vec2::new(x, y));
     let triangles = [([0, 1, 2], SKY), ([1, 3, 2], AMBER), ([1, 4, 3], SKY)];
-    let mut sheet = Sheet::new(Vec2::new(-0.7, -0.5), Vec2::new(7.1, 3.1));
+    let mut sheet = Sheet::new((-0.7, -0.5), (7.1, 3.1));
     for (n, (corners, fill)) in triangles.into_iter().enumerate() {
         let [a, b, c] = corners.map(|i| points[i]);
         sheet.polygon(&[a, b, c], fill, BLACK);
@@ -89,7 +90,7 @@ fn sharing() -> anyhow::Result<Drawing> {
 }
 
 fn flat() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-2.6, -1.7), Vec2::new(3.4, 1.75));
+    let mut sheet = Sheet::new((-2.6, -1.7), (3.4, 1.75));
     let plane = 1.6;
     let corners = [(-1.7, -0.5), (-0.3, -1.0), (0.4, 0.45), (-1.0, 0.95)].map(|(z, y)| Vec2::new(z, y));
     sheet.polygon(&corners, SKY, BLACK);
@@ -98,41 +99,39 @@ fn flat() -> anyhow::Result<Drawing> {
         sheet.dot(corner, BLACK);
         sheet.dot(corner.with_x(plane), BLUE);
     }
-    sheet.line(Vec2::new(plane, -1.2), Vec2::new(plane, 1.2), BLUE, 3.0);
-    sheet.text(Vec2::new(plane, 1.45), "the picture", BLUE);
-    sheet.arrow(Vec2::new(-2.4, -1.45), Vec2::new(-1.5, -1.45), GREEN);
-    sheet.text_right_of(Vec2::new(-1.4, -1.45), "z", GREEN);
-    sheet.arrow(Vec2::new(-2.4, -1.45), Vec2::new(-2.4, -0.55), GREEN);
-    sheet.text(Vec2::new(-2.4, -0.35), "y", GREEN);
-    sheet.arrow(Vec2::new(3.2, 0.0), Vec2::new(2.1, 0.0), RED);
-    sheet.text(Vec2::new(2.65, 0.22), "you look", RED);
-    sheet.text(Vec2::new(2.65, -0.22), "along −z", RED);
+    sheet.line((plane, -1.2), (plane, 1.2), BLUE, 3.0);
+    sheet.text((plane, 1.45), "the picture", BLUE);
+    sheet.arrow((-2.4, -1.45), (-1.5, -1.45), GREEN);
+    sheet.text_right_of((-1.4, -1.45), "z", GREEN);
+    sheet.arrow((-2.4, -1.45), (-2.4, -0.55), GREEN);
+    sheet.text((-2.4, -0.35), "y", GREEN);
+    sheet.arrow((3.2, 0.0), (2.1, 0.0), RED);
+    sheet.text((2.65, 0.22), "you look", RED);
+    sheet.text((2.65, -0.22), "along −z", RED);
     sheet.finish()
 }
 
 fn map() -> anyhow::Result<Drawing> {
-    let at = Vec2::new;
-    let mut sheet = Sheet::new(at(-0.7, -0.9), at(9.2, 3.0));
+    let mut sheet = Sheet::new((-0.7, -0.9), (9.2, 3.0));
     for column in 0..9 {
         let x = f32::from(column as u8);
         if column < 8 {
             sheet.pixel(column, 0, SKY);
         } else {
-            let corners = [at(8.0, 0.0), at(9.0, 0.0), at(9.0, 1.0), at(8.0, 1.0)];
-            sheet.polygon(&corners, "none", FAINT);
+            sheet.rectangle((8.0, 0.0), (9.0, 1.0), "none", FAINT);
         }
-        sheet.text(at(x + 0.5, 0.5), &column.to_string(), if column < 8 { BLACK } else { RED });
+        sheet.text((x + 0.5, 0.5), &column.to_string(), if column < 8 { BLACK } else { RED });
     }
-    sheet.line(at(0.0, 2.2), at(8.0, 2.2), BLACK, 2.0);
+    sheet.line((0.0, 2.2), (8.0, 2.2), BLACK, 2.0);
     for (x, name) in [(-1.0, "−1"), (-0.5, "−½"), (0.0, "0"), (0.5, "½"), (1.0, "1")] {
         let column = (x + 1.0) * 8.0 / 2.0;
         let ink = if x < 1.0 { GREY } else { RED };
-        sheet.dashed(at(column, 2.2), at(column, 0.0), ink, 1.5);
-        sheet.dot(at(column, 2.2), if x < 1.0 { BLACK } else { RED });
-        sheet.text(at(column, 2.65), name, if x < 1.0 { BLACK } else { RED });
+        sheet.dashed((column, 2.2), (column, 0.0), ink, 1.5);
+        sheet.dot((column, 2.2), if x < 1.0 { BLACK } else { RED });
+        sheet.text((column, 2.65), name, if x < 1.0 { BLACK } else { RED });
     }
-    sheet.text(at(4.0, -0.5), "column = ⌊(x + 1) · 8 / 2⌋", BLACK);
-    sheet.text(at(-0.45, 2.2), "x", BLACK);
+    sheet.text((4.0, -0.5), "column = ⌊(x + 1) · 8 / 2⌋", BLACK);
+    sheet.text((-0.45, 2.2), "x", BLACK);
     sheet.finish()
 }
 
@@ -148,7 +147,7 @@ fn squares() -> anyhow::Result<Model> {
 /// Left without the rule for the border, right with it.
 fn border() -> anyhow::Result<Drawing> {
     let model = squares()?;
-    let mut printed = Image::new(30, 30, Format::Rgb);
+    let mut printed = canvas(30);
     let mut mended = printed.clone();
     let pixel = |point: Vec3| ((point.truncate() + 1.0) * 30.0 / 2.0).floor().as_ivec2();
     three_per_triangle(&model, |edge| {
@@ -156,7 +155,7 @@ fn border() -> anyhow::Result<Drawing> {
         line(a, b, &mut printed, Color::WHITE);
     });
     wireframe(&model, &mut mended, Color::WHITE);
-    beside(&[&printed, &mended])
+    beside([&printed, &mended])
 }
 
 fn counts() -> anyhow::Result<Drawing> {
@@ -166,7 +165,7 @@ fn counts() -> anyhow::Result<Drawing> {
     let model = Model::from_triangles(corners, triangles).map_err(|e| anyhow!(e))?;
     let mut times = BTreeMap::new();
     three_per_triangle(&model, |[a, b]| *times.entry([a.min(b), a.max(b)]).or_insert(0) += 1);
-    let mut sheet = Sheet::new(Vec2::new(-3.0, -1.6), Vec2::new(3.0, 1.6));
+    let mut sheet = Sheet::new((-3.0, -1.6), (3.0, 1.6));
     let place = |i: u32| model.positions()[i as usize].truncate();
     for (edge, times) in &times {
         let [a, b] = edge.map(place);
@@ -175,9 +174,8 @@ fn counts() -> anyhow::Result<Drawing> {
     for (edge, times) in &times {
         let [a, b] = edge.map(place);
         let middle = (a + b) / 2.0;
-        let [right, up] = [Vec2::X * 0.2, Vec2::Y * 0.13];
-        let ground = [middle - right - up, middle + right - up, middle + right + up, middle - right + up];
-        sheet.polygon(&ground, PAPER, "none");
+        let half = Vec2::new(0.2, 0.13);
+        sheet.rectangle(middle - half, middle + half, PAPER, "none");
         sheet.text(middle, &format!("{times}×"), if *times == 1 { BLUE } else { RED });
     }
     model.positions().iter().for_each(|point| sheet.dot(point.truncate(), BLACK));
@@ -185,23 +183,19 @@ fn counts() -> anyhow::Result<Drawing> {
 }
 
 fn fans() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.4, -0.6), Vec2::new(9.8, 4.2));
+    let mut sheet = Sheet::new((-0.4, -0.6), (9.8, 4.2));
     let convex: [(f32, f32); 6] = [(0.0, 1.6), (1.2, 0.0), (3.2, 0.3), (4.2, 1.9), (3.0, 3.5), (1.0, 3.2)];
     let notched: [(f32, f32); 6] = [(9.2, 0.4), (7.4, 1.4), (9.4, 3.4), (6.6, 2.4), (5.4, 3.6), (5.2, 0.2)];
     for corners in [convex, notched] {
-        let vertices: String = corners.iter().map(|(x, y)| format!("v {x} {y} 0\n")).collect();
-        let text = format!("{vertices}f 1 2 3 4 5 6\n");
-        let model = Model::parse(text.as_bytes(), Attributes::default()).map_err(|e| anyhow!(e))?;
-        let faces = || model.faces().map(|face| face.map(Vec3::truncate));
+        let faces = || (2..6).map(|n| [0, n - 1, n].map(|i| Vec2::from(corners[i])));
         let inside = |[a, b, c]: &[Vec2; 3]| (b - a).perp_dot(c - a) > 0.0;
         faces().filter(|face| inside(face)).for_each(|face| sheet.polygon(&face, SKY, BLUE));
         faces().filter(|face| !inside(face)).for_each(|face| sheet.polygon(&face, AMBER, BLUE));
-        let outline: Vec<Vec2> = corners.iter().chain([&corners[0]]).map(|&(x, y)| Vec2::new(x, y)).collect();
-        sheet.polyline(&outline, BLACK, 3.5);
-        sheet.dot(outline[0], RED);
+        sheet.polyline(corners.into_iter().chain([corners[0]]), BLACK, 3.5);
+        sheet.dot(corners[0], RED);
     }
-    sheet.text(Vec2::new(-0.1, 1.15), "1", RED);
-    sheet.text(Vec2::new(9.5, 0.2), "1", RED);
+    sheet.text((-0.1, 1.15), "1", RED);
+    sheet.text((9.5, 0.2), "1", RED);
     sheet.finish()
 }
 
@@ -218,7 +212,7 @@ fn cube() -> anyhow::Result<Drawing> {
     let far = (0..8).min_by(by_depth).context("a cube has corners")?;
     let near = (0..8).max_by(by_depth).context("a cube has corners")?;
     let draw = |without: usize| {
-        let mut image = Image::new(150, 150, Format::Rgb);
+        let mut image = canvas(150);
         for (a, b) in (0..8).flat_map(|a| [1, 2, 4].map(|bit| (a, a | bit))) {
             if a != b && a != without && b != without {
                 let [from, to] = [a, b].map(|n| to_pixel(corners[n], &image));
@@ -227,13 +221,13 @@ fn cube() -> anyhow::Result<Drawing> {
         }
         image
     };
-    beside(&[&draw(8), &draw(far), &draw(near)])
+    beside([&draw(8), &draw(far), &draw(near)])
 }
 
 /// Spokes whose ends are far outside the picture: 10³ and 10⁹ times its size.
 fn saturated() -> anyhow::Result<Drawing> {
-    let draw = |size: f32| -> anyhow::Result<Image> {
-        let mut image = Image::new(148, 148, Format::Rgb);
+    all_beside([1e3, 1e9].map(|size: f32| {
+        let mut image = canvas(148);
         let end =
             |n: u32| (Vec2::from_angle((n as f32 + 0.5) * std::f32::consts::PI / 12.0) * size).extend(0.0);
         let corners: Vec<Vec3> = (0..12).flat_map(|n| [end(n), -end(n)]).collect();
@@ -241,6 +235,5 @@ fn saturated() -> anyhow::Result<Drawing> {
         let model = Model::from_triangles(corners, spokes).map_err(|e| anyhow!(e))?;
         wireframe(&model, &mut image, Color::WHITE);
         Ok(image)
-    };
-    beside(&[&draw(1e3)?, &draw(1e9)?])
+    }))
 }

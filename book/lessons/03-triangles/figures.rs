@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use anyhow::Context;
-use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2, Vec3};
+use common::{Bounds, Color, Format, IVec2, Image, Vec2, Vec3};
 use triangles::{METHODS, Triangle, draw_model, fill, flat_intensity};
 
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, PURPLE, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model};
+use crate::figures::picture::{all_beside, beside, canvas, method, model};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, Sheet};
+use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -107,30 +108,26 @@ pub(crate) const FIGURES: &[Figure] = &[
 
 /// The slides' three triangles.
 fn three() -> anyhow::Result<Drawing> {
-    let mut image = Image::new(200, 200, Format::Rgb);
+    let mut image = canvas(200);
     for (corners, color) in [
         ([(10.0, 70.0), (50.0, 160.0), (70.0, 80.0)], Color::RED),
         ([(180.0, 50.0), (150.0, 1.0), (70.0, 180.0)], Color::WHITE),
         ([(180.0, 150.0), (120.0, 160.0), (130.0, 180.0)], Color::GREEN),
     ] {
-        (method("edges")?.draw)(corners.map(Vec2::from), &mut image, color);
+        (method(METHODS, "edges")?.draw)(corners.map(Vec2::from), &mut image, color);
     }
     Ok(Drawing::Pixels(image, 3))
 }
 
-fn method(name: &str) -> anyhow::Result<&'static Triangle> {
-    Method::find(METHODS, name).map(|method| &method.run).with_context(|| format!("no method `{name}`"))
-}
-
 fn head() -> anyhow::Result<Drawing> {
-    let (model, method) = (model()?, method("edges")?);
-    let [mut random, mut flat] = [(); 2].map(|()| Image::new(600, 600, Format::Rgb));
+    let (model, method) = (model()?, method(METHODS, "edges")?);
+    let [mut random, mut flat] = [(); 2].map(|()| canvas(600));
     draw_model(&model, method, &mut random, |n, _| Some(Color::random(n as u64)));
     draw_model(&model, method, &mut flat, |_, corners| {
         let intensity = flat_intensity(corners, Vec3::Z);
         (intensity >= 0.0).then(|| Color::gray(intensity))
     });
-    beside(&[&random, &flat])
+    beside([&random, &flat])
 }
 
 /// How often a method visits each pixel.
@@ -143,9 +140,9 @@ fn visits(method: &Triangle, corners: [Vec2; 3]) -> BTreeMap<(i32, i32), usize> 
 
 fn sweep() -> anyhow::Result<Drawing> {
     let corners = [(1.0, 1.0), (15.0, 5.0), (5.0, 10.0)].map(Vec2::from);
-    let mut sheet = Sheet::new(Vec2::ZERO, Vec2::new(17.0, 12.0));
+    let mut sheet = Sheet::new(Vec2::ZERO, (17.0, 12.0));
     sheet.grid((0, 0), (17, 12));
-    for (&(x, y), &times) in &visits(method("sweep")?, corners) {
+    for (&(x, y), &times) in &visits(method(METHODS, "sweep")?, corners) {
         sheet.pixel(
             x,
             y,
@@ -160,7 +157,7 @@ fn sweep() -> anyhow::Result<Drawing> {
     }
     let [a, b, c] = corners.map(|corner| corner + 0.5);
     sheet.polygon(&[a, b, c], "none", BLACK);
-    sheet.dashed(Vec2::new(0.2, 5.5), Vec2::new(16.8, 5.5), PURPLE, 2.0);
+    sheet.dashed((0.2, 5.5), (16.8, 5.5), PURPLE, 2.0);
     sheet.text(a - Vec2::new(0.5, 0.55), "low", BLACK);
     sheet.text(b + Vec2::new(0.2, -0.9), "middle", BLACK);
     sheet.text(c + Vec2::new(0.0, 0.75), "high", BLACK);
@@ -171,13 +168,12 @@ const REAL: [(f32, f32); 3] = [(1.6, 1.2), (12.4, 4.7), (5.1, 9.3)];
 
 fn bounding_box() -> anyhow::Result<Drawing> {
     let corners = REAL.map(Vec2::from);
-    let mut sheet = Sheet::new(Vec2::ZERO, Vec2::new(14.0, 11.0));
+    let mut sheet = Sheet::new(Vec2::ZERO, (14.0, 11.0));
     sheet.grid((0, 0), (14, 11));
-    let inside = visits(method("barycentric")?, corners);
-    inside.keys().for_each(|&(x, y)| sheet.pixel(x, y, SKY));
+    let inside = visits(method(METHODS, "barycentric")?, corners);
+    sheet.pixels(inside.keys().copied(), SKY);
     sheet.polygon(&corners, "none", BLACK);
-    let [low, high] = [Vec2::new(1.0, 1.0), Vec2::new(13.0, 10.0)];
-    sheet.polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)], "none", PURPLE);
+    sheet.rectangle((1.0, 1.0), (13.0, 10.0), "none", PURPLE);
     for (x, y) in (1..10).flat_map(|y| (1..13).map(move |x| (x, y))) {
         let center = IVec2::new(x, y).as_vec2() + 0.5;
         sheet.dot(center, if inside.contains_key(&(x, y)) { GREEN } else { GREY });
@@ -190,7 +186,7 @@ const P: Vec2 = Vec2::new(2.5, 1.5);
 
 /// A triangle with the names of its corners.
 fn named(fill: &'static str) -> Sheet {
-    let mut sheet = Sheet::new(Vec2::new(-0.7, -0.6), Vec2::new(6.7, 4.2));
+    let mut sheet = Sheet::new((-0.7, -0.6), (6.7, 4.2));
     sheet.polygon(&ABC, fill, BLACK);
     sheet.text(ABC[0] - Vec2::new(0.35, 0.1), "A", BLACK);
     sheet.text(ABC[1] + Vec2::new(0.35, -0.1), "B", BLACK);
@@ -248,7 +244,7 @@ fn weights() -> anyhow::Result<Drawing> {
 fn signs() -> anyhow::Result<Drawing> {
     let at = Vec2::new;
     let corners = [at(-1.6, -1.0), at(1.9, -0.6), at(-0.2, 1.7)];
-    let mut sheet = Sheet::new(at(-4.4, -2.4), at(4.4, 3.0));
+    let mut sheet = Sheet::new((-4.4, -2.4), (4.4, 3.0));
     sheet.polygon(&corners, SKY, "none");
     for n in 0..3 {
         let (from, to) = (corners[n], corners[(n + 1) % 3]);
@@ -281,69 +277,58 @@ fn signs() -> anyhow::Result<Drawing> {
 
 fn steps() -> anyhow::Result<Drawing> {
     let [a, b] = [IVec2::new(1, 0), IVec2::new(6, 3)];
-    let mut sheet = Sheet::new(Vec2::ZERO, Vec2::new(8.0, 5.0));
+    let mut sheet = Sheet::new(Vec2::ZERO, (8.0, 5.0));
     sheet.grid((0, 0), (8, 5));
     let value = |x: i32, y: i32| (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-    for (x, y) in (0..5).flat_map(|y| (0..8).map(move |x| (x, y))) {
-        if value(x, y) >= 0 {
-            sheet.pixel(x, y, SKY);
-        }
-    }
+    let all = || (0..5).flat_map(|y| (0..8).map(move |x| (x, y)));
+    sheet.pixels(all().filter(|&(x, y)| value(x, y) >= 0), SKY);
     let [from, to] = [a, b].map(|end| end.as_vec2() + 0.5);
     let along = (to - from) / 5.0;
     sheet.dashed(from - along, to + along * 1.4, GREY, 1.5);
     sheet.arrow(from, to, BLACK);
-    for (x, y) in (0..5).flat_map(|y| (0..8).map(move |x| (x, y))) {
+    for (x, y) in all() {
         let words = value(x, y).to_string().replace('-', "−");
-        sheet.text(
-            Vec2::new(x as f32 + 0.5, y as f32 + 0.5),
-            &words,
-            if value(x, y) < 0 { RED } else { BLACK },
-        );
+        sheet.text((x as f32 + 0.5, y as f32 + 0.5), &words, if value(x, y) < 0 { RED } else { BLACK });
     }
     sheet.finish()
 }
 
 fn row() -> anyhow::Result<Drawing> {
     let corners = [(1.4, 0.6), (13.3, 2.8), (4.2, 8.2)].map(Vec2::from);
-    let mut sheet = Sheet::new(Vec2::new(0.0, -0.2), Vec2::new(15.0, 9.0));
+    let mut sheet = Sheet::new((0.0, -0.2), (15.0, 9.0));
     sheet.grid((0, 0), (15, 9));
     let y = 4;
-    let inside: Vec<i32> = visits(method("edges")?, corners)
+    let inside: Vec<i32> = visits(method(METHODS, "edges")?, corners)
         .into_keys()
         .filter(|pixel| pixel.1 == y)
         .map(|pixel| pixel.0)
         .collect();
-    inside.iter().for_each(|&x| sheet.pixel(x, y, SKY));
+    sheet.pixels(inside.iter().map(|&x| (x, y)), SKY);
     sheet.polygon(&corners, "none", BLACK);
     let level = y as f32 + 0.5;
-    sheet.dashed(Vec2::new(0.0, level), Vec2::new(15.0, level), GREY, 1.5);
+    sheet.dashed((0.0, level), (15.0, level), GREY, 1.5);
     (0..15).for_each(|x| {
-        sheet.dot(Vec2::new(x as f32 + 0.5, level), if inside.contains(&x) { GREEN } else { GREY });
+        sheet.dot((x as f32 + 0.5, level), if inside.contains(&x) { GREEN } else { GREY });
     });
     let [a, b, c] = corners;
     for (from, to, ink) in [(c, a, BLUE), (b, c, RED)] {
         let t = (level - from.y) / (to.y - from.y);
         let x = from.x + t * (to.x - from.x);
         let side = if ink == BLUE { 1.0 } else { -1.0 };
-        sheet.line(Vec2::new(x, level - 0.9), Vec2::new(x, level + 0.9), ink, 3.0);
-        sheet.arrow(Vec2::new(x, level - 0.75), Vec2::new(x + 1.3 * side, level - 0.75), ink);
+        sheet.line((x, level - 0.9), (x, level + 0.9), ink, 3.0);
+        sheet.arrow((x, level - 0.75), (x + 1.3 * side, level - 0.75), ink);
     }
-    sheet.text(Vec2::new(1.6, 5.7), "E ≥ 0", BLUE);
-    sheet.text(Vec2::new(11.4, 5.8), "E ≥ 0", RED);
-    sheet.text(Vec2::new(10.4, 0.85), "the third side bounds this row too,", GREY);
-    sheet.text(Vec2::new(10.4, 0.25), "but farther right", GREY);
+    sheet.text((1.6, 5.7), "E ≥ 0", BLUE);
+    sheet.text((11.4, 5.8), "E ≥ 0", RED);
+    sheet.text((10.4, 0.85), "the third side bounds this row too,", GREY);
+    sheet.text((10.4, 0.25), "but farther right", GREY);
     sheet.finish()
 }
 
 fn snap() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-4.6, -0.6), Vec2::new(12.6, 8.6));
-    for n in 0..=8 {
-        let at = n as f32;
-        sheet.line(Vec2::new(at, 0.0), Vec2::new(at, 8.0), FAINT, 1.0);
-        sheet.line(Vec2::new(0.0, at), Vec2::new(8.0, at), FAINT, 1.0);
-    }
-    sheet.polygon(&[(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)].map(Vec2::from), "none", BLACK);
+    let mut sheet = Sheet::new((-4.6, -0.6), (12.6, 8.6));
+    sheet.grid((0, 0), (8, 8));
+    sheet.rectangle((0.0, 0.0), (8.0, 8.0), "none", BLACK);
     let corner = Vec2::new(2.6, 5.35);
     let snapped = corner.round();
     for (at, ink) in [(corner, GREY), (snapped, BLUE)] {
@@ -353,18 +338,18 @@ fn snap() -> anyhow::Result<Drawing> {
     sheet.dot(corner, GREY);
     sheet.dot(snapped, BLUE);
     sheet.dot(Vec2::splat(4.0), RED);
-    sheet.text_right_of(Vec2::new(4.3, 3.1), "the centre", RED);
-    sheet.text(Vec2::new(2.3, 6.2), "a corner", GREY);
-    sheet.text(Vec2::new(5.2, 7.1), "where it is moved", BLUE);
+    sheet.text_right_of((4.3, 3.1), "the centre", RED);
+    sheet.text((2.3, 6.2), "a corner", GREY);
+    sheet.text((5.2, 7.1), "where it is moved", BLUE);
     sheet.finish()
 }
 
 fn top_left() -> anyhow::Result<Drawing> {
     let [a, b, c, d] = [(1.5, 1.5), (7.5, 1.5), (7.5, 7.5), (1.5, 7.5)].map(Vec2::from);
-    let mut sheet = Sheet::new(Vec2::new(-1.5, 0.0), Vec2::new(10.5, 9.0));
+    let mut sheet = Sheet::new((-1.5, 0.0), (10.5, 9.0));
     sheet.grid((0, 0), (9, 9));
     for (corners, color) in [([a, b, c], SKY), ([a, c, d], AMBER)] {
-        visits(method("edges")?, corners).into_keys().for_each(|(x, y)| sheet.pixel(x, y, color));
+        sheet.pixels(visits(method(METHODS, "edges")?, corners).into_keys(), color);
         sheet.polygon(&corners, "none", BLACK);
     }
     for (x, y) in (1..8).flat_map(|y| (1..8).map(move |x| (x, y))) {
@@ -372,17 +357,17 @@ fn top_left() -> anyhow::Result<Drawing> {
             sheet.dot(IVec2::new(x, y).as_vec2() + 0.5, BLACK);
         }
     }
-    sheet.text(Vec2::new(4.5, 8.4), "top: inside", GREEN);
-    sheet.text(Vec2::new(0.2, 4.5), "left:", GREEN);
-    sheet.text(Vec2::new(0.2, 3.9), "inside", GREEN);
-    sheet.text(Vec2::new(4.5, 0.6), "bottom: outside", RED);
-    sheet.text(Vec2::new(9.0, 4.5), "right:", RED);
-    sheet.text(Vec2::new(9.0, 3.9), "outside", RED);
+    sheet.text((4.5, 8.4), "top: inside", GREEN);
+    sheet.text((0.2, 4.5), "left:", GREEN);
+    sheet.text((0.2, 3.9), "inside", GREEN);
+    sheet.text((4.5, 0.6), "bottom: outside", RED);
+    sheet.text((9.0, 4.5), "right:", RED);
+    sheet.text((9.0, 3.9), "outside", RED);
     sheet.finish()
 }
 
 fn lambert() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.3, -0.9), Vec2::new(9.3, 4.6));
+    let mut sheet = Sheet::new((-0.3, -0.9), (9.3, 4.6));
     for (middle, angle) in [(2.0, 0.0), (6.6, 0.85)] {
         let along = Vec2::from_angle(angle);
         let foot = Vec2::new(middle, 1.2);
@@ -406,8 +391,8 @@ fn lambert() -> anyhow::Result<Drawing> {
             sheet.text(foot + Vec2::new(0.0, 2.2), "l = n", BLACK);
         }
     }
-    sheet.text(Vec2::new(2.0, -0.3), "width d", BLACK);
-    sheet.text(Vec2::new(6.6, -0.6), "width d / cos θ", BLACK);
+    sheet.text((2.0, -0.3), "width d", BLACK);
+    sheet.text((6.6, -0.6), "width d / cos θ", BLACK);
     sheet.finish()
 }
 
@@ -449,9 +434,9 @@ fn counted(name: &str, mesh: &[[Vec2; 3]], shift: f32) -> anyhow::Result<Image> 
         visits
     };
     let [a, b, c, d] = [(0.0, 0.0), (24.0, 0.0), (24.0, 24.0), (0.0, 24.0)].map(Vec2::from);
-    let expected = count(method("edges")?, &[[a, b, c], [a, c, d]]);
-    let got = count(method(name)?, mesh);
-    let mut image = Image::new(SIDE, SIDE, Format::Rgb);
+    let expected = count(method(METHODS, "edges")?, &[[a, b, c], [a, c, d]]);
+    let got = count(method(METHODS, name)?, mesh);
+    let mut image = canvas(SIDE);
     for (x, y) in expected.keys().chain(got.keys()).copied() {
         let color = match (expected.contains_key(&(x, y)), got.get(&(x, y)).copied().unwrap_or(0)) {
             (true, 0) => Color::rgb(213, 94, 0),
@@ -465,17 +450,13 @@ fn counted(name: &str, mesh: &[[Vec2; 3]], shift: f32) -> anyhow::Result<Image> 
 }
 
 fn shared() -> anyhow::Result<Drawing> {
-    let pictures: anyhow::Result<Vec<Image>> =
-        METHODS.iter().map(|method| counted(method.name, &grid(), 0.5)).collect();
-    beside(&pictures?.iter().collect::<Vec<_>>())
+    all_beside(METHODS.iter().map(|method| counted(method.name, &grid(), 0.5)))
 }
 
 fn slivers() -> anyhow::Result<Drawing> {
-    let [a, b, c] = ["sweep", "barycentric", "edges"].map(|name| counted(name, &fan(), 0.0));
-    beside(&[&a?, &b?, &c?])
+    all_beside(["sweep", "barycentric", "edges"].map(|name| counted(name, &fan(), 0.0)))
 }
 
 fn far() -> anyhow::Result<Drawing> {
-    let [a, b] = ["barycentric", "edges"].map(|name| counted(name, &grid(), 1e7));
-    beside(&[&a?, &b?])
+    all_beside(["barycentric", "edges"].map(|name| counted(name, &grid(), 1e7)))
 }

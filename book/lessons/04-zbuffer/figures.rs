@@ -1,12 +1,12 @@
 //! Chapter 4: the nearest surface.
 
-use anyhow::Context;
-use common::{Color, Format, Image, Method, Vec2, Vec3};
+use common::{Color, Format, Image, Vec2, Vec3};
 use triangles::{draw_model, fill, flat_intensity};
 use zbuffer::{DepthBuffer, METHODS, Surface, depth_at, fill_nearest, surfaces, z_f32};
 
+use crate::figures::picture::{all_beside, beside, canvas, method, model};
 use crate::figures::sheet::{BLACK, BLUE, FAINT, GREEN, GREY, Ink, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model};
+use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -86,21 +86,20 @@ pub(crate) const FIGURES: &[Figure] = &[
 const COLORS: [Color; 3] = [Color::rgb(86, 160, 211), Color::rgb(242, 193, 78), Color::rgb(213, 94, 0)];
 
 fn head() -> anyhow::Result<Drawing> {
-    let mut image = Image::new(600, 600, Format::Rgb);
+    let mut image = canvas(600);
     let depths = z_f32(&surfaces(&model()?, Vec3::Z, &image), &mut image);
-    beside(&[&image, &depths.picture()])
+    beside([&image, &depths.picture()])
 }
 
 /// Lesson 3's picture and lesson 4's.
 fn before() -> anyhow::Result<Drawing> {
     let model = model()?;
-    let [mut before, mut after] = [(); 2].map(|()| Image::new(600, 600, Format::Rgb));
-    let edges = Method::find(triangles::METHODS, "edges").context("no method `edges`")?;
-    draw_model(&model, &edges.run, &mut before, |_, corners| {
+    let [mut before, mut after] = [(); 2].map(|()| canvas(600));
+    draw_model(&model, method(triangles::METHODS, "edges")?, &mut before, |_, corners| {
         Some(flat_intensity(corners, Vec3::Z)).filter(|&i| i >= 0.0).map(Color::gray)
     });
     z_f32(&surfaces(&model, Vec3::Z, &after), &mut after);
-    beside(&[&before, &after])
+    beside([&before, &after])
 }
 
 /// How many pixels the row of the next two figures has.
@@ -130,7 +129,7 @@ fn from_above() -> anyhow::Result<Drawing> {
     // The viewer is below: what is near is low.
     let stretch = 3.2;
     let place = |x: f32, depth: f32| Vec2::new(x, -depth * stretch);
-    let mut sheet = Sheet::new(Vec2::new(-1.0, -13.0), Vec2::new(25.0, 1.0));
+    let mut sheet = Sheet::new((-1.0, -13.0), (25.0, 1.0));
     let mut depths = row();
     let mut seen = [None; ROW as usize];
     for (n, &(ends, ink, _)) in ABOVE.iter().enumerate() {
@@ -146,15 +145,15 @@ fn from_above() -> anyhow::Result<Drawing> {
         sheet.line(at(left), at(left + 1.0), ink, 6.0);
     }
     for x in [2.0, 5.0, 8.0, 11.0] {
-        sheet.arrow(Vec2::new(x, -12.6), Vec2::new(x, -10.8), GREY);
+        sheet.arrow((x, -12.6), (x, -10.8), GREY);
     }
-    sheet.text_right_of(Vec2::new(12.5, -11.7), "you look from here", GREY);
-    sheet.text(Vec2::new(2.0, 0.2), "far", GREY);
+    sheet.text_right_of((12.5, -11.7), "you look from here", GREY);
+    sheet.text((2.0, 0.2), "far", GREY);
     sheet.finish()
 }
 
 fn steps() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.0, -0.6), Vec2::new(25.0, 17.4));
+    let mut sheet = Sheet::new((-1.0, -0.6), (25.0, 17.4));
     let mut depths = row();
     let mut inks = [FAINT; ROW as usize];
     for (n, &(ends, ink, name)) in ABOVE.iter().enumerate() {
@@ -164,13 +163,12 @@ fn steps() -> anyhow::Result<Drawing> {
             let depth = depths.get(x as i32, 0);
             let (left, top) = (x as f32 + 0.08, floor + depth.max(0.0) * 1.5);
             if depth.is_finite() {
-                let [a, b] = [Vec2::new(left, floor), Vec2::new(left + 0.84, top)];
-                sheet.polygon(&[a, b.with_y(a.y), b, a.with_y(b.y)], fill, "none");
+                sheet.rectangle((left, floor), (left + 0.84, top), fill, "none");
             }
         }
-        sheet.line(Vec2::new(0.0, floor), Vec2::new(24.0, floor), BLACK, 1.5);
+        sheet.line((0.0, floor), (24.0, floor), BLACK, 1.5);
         let words = format!("{}the {name} one", if n == 0 { "after " } else { "then " });
-        sheet.text(Vec2::new(12.0, floor + 4.8), &words, ink);
+        sheet.text((12.0, floor + 4.8), &words, ink);
     }
     sheet.finish()
 }
@@ -180,7 +178,7 @@ fn plane() -> anyhow::Result<Drawing> {
     let ground = |x: f32, y: f32| Vec2::new(x + 0.45 * y, 0.42 * y);
     let up = |at: Vec2, z: f32| at + Vec2::new(0.0, z);
     let corners = [(0.0, 0.4, 0.9, "A"), (6.0, 0.0, 2.4, "B"), (1.6, 4.0, 1.5, "C")];
-    let mut sheet = Sheet::new(Vec2::new(-0.9, -0.5), Vec2::new(7.1, 4.0));
+    let mut sheet = Sheet::new((-0.9, -0.5), (7.1, 4.0));
     let low = corners.map(|(x, y, ..)| ground(x, y));
     let high = corners.map(|(x, y, z, _)| up(ground(x, y), z));
     sheet.polygon(&low, "#eeece5", GREY);
@@ -209,35 +207,29 @@ fn plane() -> anyhow::Result<Drawing> {
 fn numbers() -> anyhow::Result<Drawing> {
     let corners =
         [(0.5, 0.5), (10.5, 1.5), (3.5, 6.5)].map(|(x, y): (f32, f32)| Vec3::new(x, y, 2.0 * x - y + 10.5));
-    let mut sheet = Sheet::new(Vec2::ZERO, Vec2::new(11.0, 7.0));
+    let mut sheet = Sheet::new(Vec2::ZERO, (11.0, 7.0));
     sheet.grid((0, 0), (11, 7));
     let z = Vec3::from_array(corners.map(|corner| corner.z));
     let mut found = Vec::new();
     let bounds = Image::new(11, 7, Format::Gray).bounds();
     fill(corners.map(Vec3::truncate), bounds, |x, y, weights| found.push((x, y, depth_at(z, weights))));
-    found.iter().for_each(|&(x, y, _)| sheet.pixel(x, y, SKY));
+    sheet.pixels(found.iter().map(|&(x, y, _)| (x, y)), SKY);
     sheet.polygon(&corners.map(Vec3::truncate), "none", BLACK);
     for (x, y, depth) in found {
-        sheet.text(Vec2::new(x as f32 + 0.5, y as f32 + 0.5), &format!("{depth:.0}"), BLACK);
+        sheet.text((x as f32 + 0.5, y as f32 + 0.5), &format!("{depth:.0}"), BLACK);
     }
     sheet.finish()
 }
 
 /// Scenes by methods, side by side.
 fn compared(names: &[&str], scene: &[[Vec3; 3]], side: u16) -> anyhow::Result<Drawing> {
-    let surfaces: Vec<Surface> = scene
-        .iter()
-        .zip(COLORS.iter().cycle())
-        .map(|(&corners, &color)| Surface { corners, color })
-        .collect();
-    let draw = |name: &&str| -> anyhow::Result<Image> {
-        let method = Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?;
-        let mut image = Image::new(side, side, Format::Rgb);
-        (method.run.draw)(&surfaces, &mut image);
+    let colored = scene.iter().zip(COLORS.iter().cycle());
+    let surfaces: Vec<Surface> = colored.map(|(&corners, &color)| Surface { corners, color }).collect();
+    all_beside(names.iter().map(|name| {
+        let mut image = canvas(side);
+        (method(METHODS, name)?.draw)(&surfaces, &mut image);
         Ok(image)
-    };
-    let pictures: anyhow::Result<Vec<Image>> = names.iter().map(draw).collect();
-    beside(&pictures?.iter().collect::<Vec<_>>())
+    }))
 }
 
 fn cutting() -> Vec<[Vec3; 3]> {
@@ -282,14 +274,13 @@ fn coplanar() -> Vec<[Vec3; 3]> {
 
 /// The numbers of a tiny fixed-point format and of a tiny floating-point format.
 fn levels() -> anyhow::Result<Drawing> {
-    let at = Vec2::new;
-    let mut sheet = Sheet::new(at(-1.08, -0.22), at(1.08, 0.82));
+    let mut sheet = Sheet::new((-1.08, -0.22), (1.08, 0.82));
     let mut axis = |y: f32, numbers: &[f32], ink: Ink, words: &str| {
-        sheet.line(at(-1.0, y), at(1.0, y), GREY, 1.5);
+        sheet.line((-1.0, y), (1.0, y), GREY, 1.5);
         for &number in numbers {
-            sheet.line(at(number, y - 0.05), at(number, y + 0.05), ink, 2.0);
+            sheet.line((number, y - 0.05), (number, y + 0.05), ink, 2.0);
         }
-        sheet.text(at(0.0, y + 0.17), words, ink);
+        sheet.text((0.0, y + 0.17), words, ink);
     };
     let even: Vec<f32> = (0..=32_u8).map(|n| f32::from(n) / 16.0 - 1.0).collect();
     // Two bits behind the leading one, and four exponents; below, what is left.
@@ -300,7 +291,7 @@ fn levels() -> anyhow::Result<Drawing> {
     axis(0.5, &even, BLUE, "levels: evenly spaced");
     axis(0.0, &mirrored, RED, "floats: finest near 0");
     for (x, name) in [(-1.0, "−1"), (0.0, "0"), (1.0, "1")] {
-        sheet.text(at(x, -0.15), name, BLACK);
+        sheet.text((x, -0.15), name, BLACK);
     }
     sheet.finish()
 }

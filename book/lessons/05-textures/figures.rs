@@ -1,16 +1,17 @@
 //! Chapter 5: colour from a picture.
 
-use std::path::Path;
-
-use anyhow::{Context, anyhow};
-use common::program::model::DEFAULT_MODEL;
-use common::{Attributes, Color, Format, Image, Method, Model, Vec2, Vec3};
-use textures::{METHODS, Sampler, interpolate, texel};
+use anyhow::Context;
+use common::{Color, Format, Image, Model, Vec2, Vec3};
+use textures::{METHODS, interpolate, texel};
 use triangles::{barycentric::weights, fill};
 use zbuffer::{DepthBuffer, fill_nearest, surfaces, to_screen, z_f32};
 
+use crate::figures::picture::{
+    all_beside, beside, canvas, chequered, method, model, painted, paste, texture,
+};
+use crate::figures::shape::parsed;
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, Ink, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model};
+use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -75,53 +76,36 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
 ];
 
-fn method(name: &str) -> anyhow::Result<&'static Sampler> {
-    Method::find(METHODS, name).map(|method| &method.run).with_context(|| format!("no method `{name}`"))
-}
-
-/// The texture that lies beside the model.
-fn texture() -> anyhow::Result<Image> {
-    Ok(Image::read(&Path::new(DEFAULT_MODEL).with_extension("tga"))?)
+/// What lesson 5 draws of a model.
+fn nearest(model: &Model, texture: &Image, mut image: Image) -> anyhow::Result<Image> {
+    (method(METHODS, "nearest")?.draw)(model, texture, Vec3::Z, &mut image);
+    Ok(image)
 }
 
 fn head() -> anyhow::Result<Drawing> {
     let (model, texture) = (model()?, texture()?);
-    let [mut light, mut color, mut both] = [(); 3].map(|()| Image::new(600, 600, Format::Rgb));
+    let [mut light, mut color] = [(); 2].map(|()| canvas(600));
     z_f32(&surfaces(&model, Vec3::Z, &light), &mut light);
     let mut depths = DepthBuffer::new(&color, f32::NEG_INFINITY);
     for (corners, uvs) in model.faces().zip(model.face_uvs()) {
         let screen = corners.map(|corner| to_screen(corner, color.size()));
-        fill_nearest(
-            screen,
-            &mut depths,
-            |depth| depth,
-            |x, y, weights| {
-                color.set(x, y, texel(&texture, interpolate(uvs, weights)));
-            },
-        );
+        let store = |depth| depth;
+        fill_nearest(screen, &mut depths, store, |x, y, weights| {
+            color.set(x, y, texel(&texture, interpolate(uvs, weights)));
+        });
     }
-    (method("nearest")?.draw)(&model, &texture, Vec3::Z, &mut both);
-    beside(&[&light, &color, &both])
-}
-
-/// A texture whose colour at (u, v) says (u, v).
-fn gradient() -> Image {
-    let mut image = Image::new(256, 256, Format::Rgb);
-    for (x, y, _) in image.clone().pixels() {
-        image.set(x, y, Color::rgb(x as u8, y as u8, 64));
-    }
-    image
+    beside([&light, &color, &nearest(&model, &texture, canvas(600))?])
 }
 
 fn coordinates() -> anyhow::Result<Drawing> {
-    let mut image = Image::new(600, 600, Format::Rgb);
-    (method("nearest")?.draw)(&model()?, &gradient(), Vec3::Z, &mut image);
-    beside(&[&texture()?.scale(600, 600), &image])
+    // A texture whose colour at (u, v) says (u, v).
+    let gradient = painted(256, 256, |x, y| Color::rgb(x as u8, y as u8, 64));
+    beside([&texture()?.scale(600, 600), &nearest(&model()?, &gradient, canvas(600))?])
 }
 
 fn map() -> anyhow::Result<Drawing> {
     let at = Vec2::new;
-    let mut sheet = Sheet::new(at(-0.4, -0.75), at(10.0, 4.5));
+    let mut sheet = Sheet::new((-0.4, -0.75), (10.0, 4.5));
     let picture = [at(0.2, 0.3), at(3.9, 0.9), at(1.3, 3.7)];
     let origin = at(5.6, 0.0);
     let side = 3.8;
@@ -144,7 +128,7 @@ fn map() -> anyhow::Result<Drawing> {
     }
     sheet.text(p + at(0.3, 0.2), "P", RED);
     sheet.text(q + at(-0.15, 0.36), "(u, v)", RED);
-    sheet.text(at(1.9, 4.3), "the picture", BLACK);
+    sheet.text((1.9, 4.3), "the picture", BLACK);
     sheet.text(origin + at(side / 2.0, 4.3), "the texture", BLACK);
     sheet.text(origin + at(0.0, -0.35), "0", GREY);
     sheet.text(origin + at(side, -0.35), "1", GREY);
@@ -155,35 +139,33 @@ fn map() -> anyhow::Result<Drawing> {
 }
 
 fn texels() -> anyhow::Result<Drawing> {
-    let at = Vec2::new;
-    let mut sheet = Sheet::new(at(-1.1, -1.0), at(4.9, 3.3));
+    let mut sheet = Sheet::new((-1.1, -1.0), (4.9, 3.3));
     for (x, y) in (0..3).flat_map(|y| (0..4).map(move |x| (x, y))) {
         sheet.pixel(x, y, if (x + y) % 2 == 0 { SKY } else { "#d6ecf9" });
         let low = if (x, y) == (2, 1) { 0.28 } else { 0.0 };
-        sheet.text(at(x as f32 + 0.5, y as f32 + 0.5 - low), &format!("({x}, {y})"), BLACK);
+        sheet.text((x as f32 + 0.5, y as f32 + 0.5 - low), &format!("({x}, {y})"), BLACK);
     }
     for (x, name) in [(0.0, "0"), (1.0, "¼"), (2.0, "½"), (3.0, "¾"), (4.0, "1")] {
-        sheet.line(at(x, 0.0), at(x, -0.12), BLACK, 1.5);
-        sheet.text(at(x, -0.36), name, BLACK);
+        sheet.line((x, 0.0), (x, -0.12), BLACK, 1.5);
+        sheet.text((x, -0.36), name, BLACK);
     }
     for (y, name) in [(0.0, "0"), (1.0, "⅓"), (2.0, "⅔"), (3.0, "1")] {
-        sheet.line(at(0.0, y), at(-0.12, y), BLACK, 1.5);
-        sheet.text(at(-0.36, y), name, BLACK);
+        sheet.line((0.0, y), (-0.12, y), BLACK, 1.5);
+        sheet.text((-0.36, y), name, BLACK);
     }
-    sheet.text(at(2.0, -0.78), "u", BLUE);
-    sheet.text(at(-0.8, 1.5), "v", BLUE);
-    sheet.dot(at(2.5, 1.5), RED);
-    sheet.text(at(2.5, 1.75), "(⅝, ½)", RED);
+    sheet.text((2.0, -0.78), "u", BLUE);
+    sheet.text((-0.8, 1.5), "v", BLUE);
+    sheet.dot((2.5, 1.5), RED);
+    sheet.text((2.5, 1.75), "(⅝, ½)", RED);
     sheet.finish()
 }
 
 /// What the methods find along a row of four texels.
 fn strips() -> anyhow::Result<Drawing> {
     const INKS: [Ink; 4] = [SKY, AMBER, "#8fc9b3", "#d9a3c2"];
-    let mut row = Image::new(4, 1, Format::Rgb);
-    (0..4).for_each(|x| row.set(x, 0, Color::rgb(x as u8 + 1, 0, 0)));
+    let row = painted(4, 1, |x, _| Color::rgb(x as u8 + 1, 0, 0));
     let at = Vec2::new;
-    let mut sheet = Sheet::new(at(-0.92, -0.25), at(1.56, 1.62));
+    let mut sheet = Sheet::new((-0.92, -0.25), (1.56, 1.62));
     for (n, method) in METHODS.iter().enumerate() {
         let low = 1.26 - 0.4 * n as f32;
         let found = |step: i32| (method.run.sample)(&row, at((step as f32 + 0.5) / 64.0, 0.25)).r;
@@ -195,20 +177,19 @@ fn strips() -> anyhow::Result<Drawing> {
                     0 => BLACK,
                     texel => INKS[usize::from(texel) - 1],
                 };
-                let corners = [at(left, low), at(right, low), at(right, low + 0.28), at(left, low + 0.28)];
-                sheet.polygon(&corners, fill, "none");
+                sheet.rectangle((left, low), (right, low + 0.28), fill, "none");
                 if fill != BLACK && right - left > 0.1 {
-                    sheet.text(at((left + right) / 2.0, low + 0.14), &(found(begin) - 1).to_string(), BLACK);
+                    sheet.text(((left + right) / 2.0, low + 0.14), &(found(begin) - 1).to_string(), BLACK);
                 }
                 begin = step + 1;
             }
         }
-        sheet.text_left_of(at(-0.55, low + 0.14), method.name, BLACK);
+        sheet.text_left_of((-0.55, low + 0.14), method.name, BLACK);
     }
     for (u, name) in [(-0.5, "−½"), (0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1"), (1.5, "1½")]
     {
-        sheet.dashed(at(u, 0.0), at(u, 1.58), if u == 0.0 || u == 1.0 { RED } else { FAINT }, 1.5);
-        sheet.text(at(u, -0.13), name, if u == 0.0 || u == 1.0 { RED } else { BLACK });
+        sheet.dashed((u, 0.0), (u, 1.58), if u == 0.0 || u == 1.0 { RED } else { FAINT }, 1.5);
+        sheet.text((u, -0.13), name, if u == 0.0 || u == 1.0 { RED } else { BLACK });
     }
     sheet.finish()
 }
@@ -217,40 +198,29 @@ fn strips() -> anyhow::Result<Drawing> {
 fn letter() -> Image {
     const ROWS: [&str; 8] =
         ["........", ".#####..", ".#......", ".####...", ".#......", ".#......", ".#......", "........"];
-    let mut image = Image::new(8, 8, Format::Rgb);
-    for (y, row) in ROWS.iter().rev().enumerate() {
-        for (x, texel) in row.bytes().enumerate() {
-            let ground = Color::rgb(60 + 20 * x as u8, 110 + 8 * y as u8, 190);
-            image.set(x as i32, y as i32, if texel == b'#' { Color::rgb(250, 225, 140) } else { ground });
-        }
-    }
-    image
+    painted(8, 8, |x, y| {
+        let ground = Color::rgb(60 + 20 * x as u8, 110 + 8 * y as u8, 190);
+        let is_letter = ROWS[7 - y as usize].as_bytes()[x as usize] == b'#';
+        if is_letter { Color::rgb(250, 225, 140) } else { ground }
+    })
 }
 
 fn borders() -> anyhow::Result<Drawing> {
     let texture = letter();
-    let pictures: Vec<Image> = METHODS
-        .iter()
-        .map(|method| {
-            let mut image = Image::new(200, 200, Format::Rgb);
-            for (x, y, _) in image.clone().pixels() {
-                let uv = (Vec2::new(x as f32, y as f32) + 0.5) / 100.0 - 0.5;
-                image.set(x, y, (method.run.sample)(&texture, uv));
-            }
-            image
-        })
-        .collect();
-    beside(&pictures.iter().collect::<Vec<_>>())
+    all_beside(METHODS.iter().map(|method| {
+        let uv = |x, y| center(x, y) / 100.0 - 0.5;
+        Ok(painted(200, 200, |x, y| (method.run.sample)(&texture, uv(x, y))))
+    }))
+}
+
+/// A pixel's centre.
+fn center(x: i32, y: i32) -> Vec2 {
+    Vec2::new(x as f32, y as f32) + 0.5
 }
 
 /// A picture of part of a texture.
 fn part(texture: &Image, low: Vec2, high: Vec2, side: u16) -> Image {
-    let mut image = Image::new(side, side, Format::Rgb);
-    for (x, y, _) in image.clone().pixels() {
-        let share = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(side);
-        image.set(x, y, texel(texture, low + (high - low) * share));
-    }
-    image
+    painted(side, side, |x, y| texel(texture, low + (high - low) * (center(x, y) / f32::from(side))))
 }
 
 fn blocks() -> anyhow::Result<Drawing> {
@@ -258,45 +228,40 @@ fn blocks() -> anyhow::Result<Drawing> {
     // A corner of the head's mouth.
     let middle = Vec2::new(0.465, 0.52);
     let part = |half: f32| part(&texture, middle - half, middle + half, 300);
-    beside(&[&part(0.12), &part(0.015)])
+    beside([&part(0.12), &part(0.015)])
 }
 
 /// Rings that get finer outwards, 1024×1024 texels, in 128×128 pixels.
 fn sparkle() -> anyhow::Result<Drawing> {
     const TEXELS: u16 = 1024;
-    let mut rings = Image::new(TEXELS, TEXELS, Format::Rgb);
-    for (x, y, _) in rings.clone().pixels() {
-        let from_middle = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(TEXELS) - 0.5;
+    let rings = painted(TEXELS, TEXELS, |x, y| {
+        let from_middle = center(x, y) / f32::from(TEXELS) - 0.5;
         let light = (from_middle.length_squared() * 90.0).fract() < 0.5;
-        rings.set(x, y, if light { Color::rgb(250, 235, 200) } else { Color::rgb(20, 60, 110) });
-    }
+        if light { Color::rgb(250, 235, 200) } else { Color::rgb(20, 60, 110) }
+    });
     let nearest = part(&rings, Vec2::ZERO, Vec2::ONE, 100);
-    let mut mean = nearest.clone();
-    for (x, y, _) in nearest.pixels() {
+    let mean = painted(100, 100, |x, y| {
         let mut sums = [0_u32; 3];
         for (i, j) in (0..10).flat_map(|j| (0..10).map(move |i| (i, j))) {
-            let uv = (Vec2::new(x as f32, y as f32) + (Vec2::new(i as f32, j as f32) + 0.5) / 10.0) / 100.0;
+            let uv = (Vec2::new(x as f32, y as f32) + center(i, j) / 10.0) / 100.0;
             let Color { r, g, b, .. } = texel(&rings, uv);
             sums = [sums[0] + u32::from(r), sums[1] + u32::from(g), sums[2] + u32::from(b)];
         }
         let [r, g, b] = sums.map(|sum| (sum / 100) as u8);
-        mean.set(x, y, Color::rgb(r, g, b));
-    }
-    beside(&[&nearest, &mean])
+        Color::rgb(r, g, b)
+    });
+    beside([&nearest, &mean])
 }
 
 /// Six colours side by side, each with a light stripe at its left.
 fn stripes() -> Image {
     let colors =
         [(86, 160, 211), (242, 193, 78), (0, 122, 90), (213, 94, 0), (168, 72, 127), (120, 125, 130)];
-    let mut image = Image::new(48, 16, Format::Rgb);
-    for (x, y, _) in image.clone().pixels() {
+    painted(48, 16, |x, y| {
         let (r, g, b) = colors[x as usize / 8];
         // A ramp, so that one sees in which direction the texture runs.
-        let light = x % 8 <= y / 2;
-        image.set(x, y, if light { Color::rgb(250, 245, 230) } else { Color::rgb(r, g, b) });
-    }
-    image
+        if x % 8 <= y / 2 { Color::rgb(250, 245, 230) } else { Color::rgb(r, g, b) }
+    })
 }
 
 /// A band around the model, seen from where the texture ends and begins again.
@@ -317,16 +282,11 @@ fn seam() -> anyhow::Result<Drawing> {
             let (v, t) = (2 * n + 1, 4 * n + 1);
             text += &format!("f {}/{} {}/{} {}/{} {}/{}\n", v, t, v + 2, t + 1, v + 3, t + 2, v + 1, t + 3);
         }
-        let model = Model::parse(text.as_bytes(), Attributes { uvs: true, normals: false })
-            .map_err(|e| anyhow!(e))?;
-        let mut image = Image::new(450, 75, Format::Rgb);
-        (method("nearest")?.draw)(&model, &stripes(), Vec3::Z, &mut image);
-        Ok(image)
+        nearest(&parsed(&text)?, &stripes(), Image::new(450, 75, Format::Rgb))
     };
-    let (broken, whole) = (draw(false)?, draw(true)?);
     let mut both = Image::new(450, 160, Format::Rgb);
-    broken.pixels().for_each(|(x, y, color)| both.set(x, y + 85, color));
-    whole.pixels().for_each(|(x, y, color)| both.set(x, y, color));
+    paste(&draw(false)?, &mut both, [0, 85]);
+    paste(&draw(true)?, &mut both, [0, 0]);
     Ok(Drawing::Pixels(both, 2))
 }
 
@@ -341,11 +301,7 @@ fn warp() -> anyhow::Result<Drawing> {
         (98.0, 180.0, 0.0, 1.0, 0.4),
     ]
     .map(|(x, y, u, v, near): (f32, f32, f32, f32, f32)| (Vec2::new(x, y), Vec2::new(u, v), near));
-    let mut board = Image::new(8, 8, Format::Rgb);
-    for (x, y, _) in board.clone().pixels() {
-        let light = (x + y) % 2 == 0;
-        board.set(x, y, if light { Color::rgb(250, 235, 200) } else { Color::rgb(20, 90, 130) });
-    }
+    let board = chequered(8, 8, [Color::rgb(250, 235, 200), Color::rgb(20, 90, 130)]);
     let draw = |in_space: bool| {
         let mut image = Image::new(300, 200, Format::Rgb);
         for [a, b, c] in [[0, 1, 2], [0, 2, 3]].map(|triangle| triangle.map(|n: usize| corners[n])) {
@@ -358,5 +314,5 @@ fn warp() -> anyhow::Result<Drawing> {
         }
         image
     };
-    beside(&[&draw(false), &draw(true)])
+    beside([&draw(false), &draw(true)])
 }

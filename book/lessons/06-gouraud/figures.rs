@@ -3,15 +3,15 @@
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use std::fmt::Write;
 
-use anyhow::Context;
-use assets::sphere::sphere;
-use common::{Attributes, Color, Format, Image, Mat3, Method, Model, Vec2, Vec3};
+use common::{Color, Image, Mat3, Model, Vec2, Vec3};
 use gouraud::{METHODS, Scene, corner_normals, gouraud, intensities};
 use transforms::affine::{rotate_x, rotate_y};
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
+use crate::figures::picture::{all_beside, beside, canvas, cut, method, model, painted, texture};
+use crate::figures::shape::{ball, parsed};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, RED, Sheet};
-use crate::figures::{Drawing, Figure, beside, model, texture};
+use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -78,77 +78,50 @@ pub(crate) const FIGURES: &[Figure] = &[
 
 /// One white texel.
 pub(crate) fn white() -> Image {
-    let mut white = Image::new(1, 1, Format::Rgb);
-    white.set(0, 0, Color::WHITE);
-    white
+    painted(1, 1, |_, _| Color::WHITE)
 }
 
-/// An empty square picture.
-pub(crate) fn canvas(side: u16) -> Image {
-    Image::new(side, side, Format::Rgb)
-}
-
-/// A model written as an OBJ file.
-pub(crate) fn parsed(text: &str) -> anyhow::Result<Model> {
-    Model::parse(text.as_bytes(), Attributes { normals: true, uvs: true }).map_err(anyhow::Error::msg)
-}
-
-/// A ball of radius 1 in bands and sectors, with normals.
-pub(crate) fn ball(bands: usize, sectors: usize) -> anyhow::Result<Model> {
-    parsed(&sphere(bands, sectors).to_obj())
+/// A smoothly shaded model in a square picture; `put` places a point.
+pub(crate) fn smooth(side: u16, scene: &Scene, put: impl Fn(Vec3) -> Option<Vec3>) -> Image {
+    let mut image = canvas(side);
+    gouraud(scene, &mut image, put);
+    image
 }
 
 /// A white model by one of the lesson's methods.
 fn by(name: &str, model: &Model, light: Vec3, side: u16) -> anyhow::Result<Image> {
-    let method = Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?;
-    let white = white();
     let mut image = canvas(side);
-    (method.run)(&Scene { model, normals: corner_normals(model), texture: &white, light }, &mut image);
+    let scene = Scene { model, normals: corner_normals(model), texture: &white(), light };
+    method(METHODS, name)?(&scene, &mut image);
     Ok(image)
 }
 
 /// A white model, shrunk a little and turned, smoothly shaded.
 fn turned(model: &Model, turn: Mat3, light: Vec3, side: u16) -> Image {
-    let white = white();
-    let mut image = canvas(side);
-    let size = image.size();
     let normals = corner_normals(model).iter().map(|corners| corners.map(|normal| turn * normal)).collect();
-    let scene = Scene { model, normals, texture: &white, light };
-    gouraud(&scene, &mut image, |point| Some(to_screen(turn * point * 0.55, size)));
-    image
-}
-
-/// The middle of a picture, half as wide and high.
-fn middle(image: &Image) -> Image {
-    let (width, height) = (image.width() / 2, image.height() / 2);
-    let mut middle = Image::new(width as u16, height as u16, image.format());
-    for (x, y, color) in image.pixels() {
-        middle.set(x - width / 2, y - height / 2, color);
-    }
-    middle
+    let scene = Scene { model, normals, texture: &white(), light };
+    smooth(side, &scene, |point| Some(to_screen(turn * point * 0.55, Vec2::splat(f32::from(side)))))
 }
 
 fn three() -> anyhow::Result<Drawing> {
     let (model, texture) = (model()?, texture()?);
-    let [none, flat, smooth] = ["none", "flat", "gouraud"].map(|name| -> anyhow::Result<Image> {
-        let method = Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?;
+    let light = Vec3::new(0.4, 0.3, 1.0).normalize();
+    let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light };
+    all_beside(["none", "flat", "gouraud"].map(|name| {
         let mut image = canvas(1200);
-        let light = Vec3::new(0.4, 0.3, 1.0).normalize();
-        let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light };
-        (method.run)(&scene, &mut image);
-        Ok(middle(&image))
-    });
-    beside(&[&none?, &flat?, &smooth?])
+        method(METHODS, name)?(&scene, &mut image);
+        // The head alone.
+        Ok(cut(&image, [300, 300], [600, 600]))
+    }))
 }
 
 fn normals() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-3.2, 0.9), Vec2::new(3.2, 3.7));
+    let mut sheet = Sheet::new((-3.2, 0.9), (3.2, 3.7));
     let corner = |n: i32| 2.4 * Vec2::from_angle(FRAC_PI_2 - n as f32 * 0.46);
     // Of a side, outward and as long as the side.
     let side = |n: i32| (corner(n) - corner(n + 1)).perp() * -1.0;
-    let arc: Vec<Vec2> =
-        (-60..=60).map(|n| 2.4 * Vec2::from_angle(FRAC_PI_2 - n as f32 * 0.46 / 20.0)).collect();
-    sheet.polyline(&arc, FAINT, 2.0);
+    let arc = (-60..=60).map(|n| 2.4 * Vec2::from_angle(FRAC_PI_2 - n as f32 * 0.46 / 20.0));
+    sheet.polyline(arc, FAINT, 2.0);
     for n in -3..3 {
         sheet.line(corner(n), corner(n + 1), BLACK, 2.4);
         let middle = (corner(n) + corner(n + 1)) / 2.0;
@@ -160,42 +133,38 @@ fn normals() -> anyhow::Result<Drawing> {
         sheet.arrow(corner(n), corner(n) + (mean[0] + mean[1]).normalize() * 0.95, BLUE);
         sheet.dot(corner(n), BLUE);
     }
-    sheet.text(Vec2::new(0.0, 3.55), "n", BLUE);
-    sheet.text(Vec2::new(0.0, 1.55), "blue: of a corner", BLUE);
-    sheet.text(Vec2::new(0.0, 1.2), "grey: of a side", GREY);
+    sheet.text((0.0, 3.55), "n", BLUE);
+    sheet.text((0.0, 1.55), "blue: of a corner", BLUE);
+    sheet.text((0.0, 1.2), "grey: of a side", GREY);
     sheet.finish()
 }
 
 /// Brightness against x in the picture, for light from the front.
 fn profile() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.25, -0.22), Vec2::new(1.25, 1.22));
-    let at = Vec2::new;
+    let mut sheet = Sheet::new((-1.25, -0.22), (1.25, 1.22));
     let angles: Vec<f32> = (-2..=2).map(|n| n as f32 * FRAC_PI_4).collect();
-    sheet.line(at(-1.2, 0.0), at(1.2, 0.0), GREY, 1.5);
-    sheet.line(at(-1.2, 0.0), at(-1.2, 1.1), GREY, 1.5);
-    let curve: Vec<Vec2> =
-        (-45..=45).map(|n| (2.0 * n as f32).to_radians()).map(|a| at(a.sin(), a.cos())).collect();
-    sheet.polyline(&curve, GREY, 2.4);
+    sheet.axes((-1.2, 0.0), (0.0, 0.0), (2.4, 1.1), 1.5);
+    sheet.polyline((-45..=45).map(|n| (2.0 * n as f32).to_radians().sin_cos()), GREY, 2.4);
     for pair in angles.windows(2) {
         let [a, b] = [pair[0], pair[1]];
         let normal = |angle: f32| Vec3::new(angle.sin(), 0.0, angle.cos());
         let corners = intensities([normal(a), normal(b), normal((a + b) / 2.0)], Vec3::Z);
-        sheet.line(at(a.sin(), corners.z), at(b.sin(), corners.z), RED, 2.6);
-        sheet.line(at(a.sin(), corners.x), at(b.sin(), corners.y), BLUE, 2.6);
-        sheet.dot(at(b.sin(), corners.y.abs()), BLUE);
+        sheet.line((a.sin(), corners.z), (b.sin(), corners.z), RED, 2.6);
+        sheet.line((a.sin(), corners.x), (b.sin(), corners.y), BLUE, 2.6);
+        sheet.dot((b.sin(), corners.y.abs()), BLUE);
     }
-    sheet.dot(at(-1.0, 0.0), BLUE);
-    sheet.text_right_of(at(-1.17, 1.08), "brightness", GREY);
-    sheet.text(at(1.0, -0.12), "x = 1", GREY);
-    sheet.text(at(-1.0, -0.12), "x = −1", GREY);
-    sheet.text(at(0.0, 1.12), "the sphere", GREY);
-    sheet.text(at(-0.3, 0.6), "Gouraud", BLUE);
-    sheet.text(at(0.86, 0.28), "flat", RED);
+    sheet.dot((-1.0, 0.0), BLUE);
+    sheet.text_right_of((-1.17, 1.08), "brightness", GREY);
+    sheet.text((1.0, -0.12), "x = 1", GREY);
+    sheet.text((-1.0, -0.12), "x = −1", GREY);
+    sheet.text((0.0, 1.12), "the sphere", GREY);
+    sheet.text((-0.3, 0.6), "Gouraud", BLUE);
+    sheet.text((0.86, 0.28), "flat", RED);
     sheet.finish()
 }
 
 fn weights() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.9, -0.6), Vec2::new(7.3, 4.6));
+    let mut sheet = Sheet::new((-0.9, -0.6), (7.3, 4.6));
     let corners = [Vec2::new(0.0, 0.2), Vec2::new(6.6, 0.2), Vec2::new(2.4, 4.2)];
     let values = [-0.5_f32, 0.3, 0.9];
     // Where a brightness is found on the sides: at two places, if anywhere.
@@ -223,8 +192,8 @@ fn weights() -> anyhow::Result<Drawing> {
         sheet.text(*corner + Vec2::new(0.0, below), &format!("{sign}{}", value.abs()), BLACK);
     }
     sheet.text_left_of(zero[1] + Vec2::new(-0.12, 0.15), "0", RED);
-    sheet.text_right_of(Vec2::new(4.6, 3.1), "each line: one", BLACK);
-    sheet.text_right_of(Vec2::new(4.6, 2.65), "brightness", BLACK);
+    sheet.text_right_of((4.6, 3.1), "each line: one", BLACK);
+    sheet.text_right_of((4.6, 2.65), "brightness", BLACK);
     sheet.finish()
 }
 
@@ -242,14 +211,13 @@ fn clamp() -> anyhow::Result<Drawing> {
         let store = |depth| depth;
         fill_nearest(screen, &mut depths, store, |x, y, w| wrong.set(x, y, Color::gray(clamped.dot(w))));
     }
-    beside(&[&right, &wrong])
+    beside([&right, &wrong])
 }
 
 fn coarse() -> anyhow::Result<Drawing> {
     let light = Vec3::new(0.5, 0.5, 0.7).normalize();
-    let [a, b, c] = [(4, 4), (12, 20), (48, 80)]
-        .map(|(bands, sectors)| by("gouraud", &ball(bands, sectors)?, light, 500));
-    beside(&[&a?, &b?, &c?])
+    let sizes = [(4, 4), (12, 20), (48, 80)];
+    all_beside(sizes.map(|(bands, sectors)| by("gouraud", &ball(bands, sectors)?, light, 500)))
 }
 
 fn highlight() -> anyhow::Result<Drawing> {
@@ -274,7 +242,7 @@ fn highlight() -> anyhow::Result<Drawing> {
     let smooth = draw(&|w| corners.dot(w));
     // The weights are the coordinates of a point of the triangle; the sphere's normal points through it.
     let sphere = draw(&|w| w.normalize().dot(light));
-    beside(&[&flat, &smooth, &sphere])
+    beside([&flat, &smooth, &sphere])
 }
 
 fn cube() -> anyhow::Result<Drawing> {
@@ -300,9 +268,7 @@ fn cube() -> anyhow::Result<Drawing> {
     }
     let turn = rotate_x(28.0) * rotate_y(-32.0);
     let light = Vec3::new(0.25, 0.55, 0.8).normalize();
-    let pictures = [shared, own].map(|text| parsed(&text).map(|model| turned(&model, turn, light, 500)));
-    let [shared, own] = pictures;
-    beside(&[&shared?, &own?])
+    all_beside([shared, own].map(|text| Ok(turned(&parsed(&text)?, turn, light, 500))))
 }
 
 fn bands() -> anyhow::Result<Drawing> {
@@ -319,9 +285,8 @@ fn bands() -> anyhow::Result<Drawing> {
     }
     let model = parsed(&text)?;
     let light = Vec3::new(0.5, 0.0, 1.0).normalize();
-    let [flat, smooth] = ["flat", "gouraud"].map(|name| by(name, &model, light, 600));
     // Wide and low: a column needs no height to be seen.
-    beside(&[&flat?.scale(600, 400), &smooth?.scale(600, 400)])
+    all_beside(["flat", "gouraud"].map(|name| Ok(by(name, &model, light, 600)?.scale(600, 400))))
 }
 
 /// What the numbers in a file mean: sRGB's curve (IEC 61966-2-1), from light to the number.
@@ -330,9 +295,7 @@ fn encoded() -> anyhow::Result<Drawing> {
         |light: f32| if light <= 0.003_130_8 { light * 12.92 } else { light.powf(1.0 / 2.4) * 1.055 - 0.055 };
     let model = ball(48, 80)?;
     let as_written = by("gouraud", &model, Vec3::new(0.9, 0.2, 0.2).normalize(), 500)?;
-    let mut right = canvas(500);
-    for (x, y, color) in as_written.pixels() {
-        right.set(x, y, Color::gray(number(f32::from(color.r) / 255.0)));
-    }
-    beside(&[&as_written, &right])
+    let light = |x, y| as_written.get(x, y).map_or(0.0, |color| f32::from(color.r) / 255.0);
+    let right = painted(500, 500, |x, y| Color::gray(number(light(x, y))));
+    beside([&as_written, &right])
 }

@@ -4,15 +4,17 @@ use std::f32::consts::{PI, TAU};
 
 use anyhow::Context;
 use camera::lookat;
-use common::{DVec3, Image, Mat3, Mat4, Method, Model, Quat, Vec2, Vec3, Vec4, Vec4Swizzles};
-use gouraud::{Scene, corner_normals, gouraud};
+use common::{Color, DVec3, Image, Mat3, Mat4, Model, Quat, Vec2, Vec3, Vec4, Vec4Swizzles};
+use gouraud::{Scene, corner_normals};
 use transforms::affine::{about, rotate_x, rotate_y, rotate_z, shear_x};
 use transforms::rotation::{from_quaternion, quaternion, rodrigues, rodrigues_f64};
 use transforms::{METHODS, normal_matrix, place, projection, scale, translate, viewport};
 
+use crate::figures::picture::{all_beside, beside, chequered, cut, method, model, texture};
+use crate::figures::shape::{ball, parsed};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, PURPLE, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model, texture};
-use crate::lessons::gouraud::figures::{ball, canvas, parsed, white};
+use crate::figures::{Drawing, Figure};
+use crate::lessons::gouraud::figures::{smooth, white};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -154,12 +156,6 @@ fn draw_letter(sheet: &mut Sheet, origin: Vec2, m: &Mat4, fill: Ink, outline: In
     sheet.polygon(&corners, fill, outline);
 }
 
-/// Axes about a place of the sheet.
-fn axes(sheet: &mut Sheet, origin: Vec2, low: Vec2, high: Vec2) {
-    sheet.line(origin + Vec2::new(low.x, 0.0), origin + Vec2::new(high.x, 0.0), GREY, 1.4);
-    sheet.line(origin + Vec2::new(0.0, low.y), origin + Vec2::new(0.0, high.y), GREY, 1.4);
-}
-
 /// A turn about z, as a matrix for points.
 fn turn(degrees: f32) -> Mat4 {
     Mat4::from_mat3(rotate_z(degrees))
@@ -171,14 +167,19 @@ pub(crate) fn seen_from(eye: Vec3) -> anyhow::Result<impl Fn(Vec3) -> Vec2> {
     Ok(move |point: Vec3| (view * point.extend(1.0)).xy())
 }
 
+/// A model's normals by a matrix.
+fn turned(model: &Model, by: Mat3) -> Vec<[Vec3; 3]> {
+    corner_normals(model).iter().map(|corners| corners.map(|n| (by * n).normalize_or_zero())).collect()
+}
+
 /// A circle in space about an axis of length 1, as a chain of points.
-pub(crate) fn ring(center: Vec3, axis: Vec3, radius: f32) -> Vec<Vec3> {
+fn ring(center: Vec3, axis: Vec3, radius: f32) -> impl Iterator<Item = Vec3> {
     let across = axis.any_orthonormal_vector() * radius;
-    (0..=72).map(|n| center + rodrigues(axis, TAU * n as f32 / 72.0) * across).collect()
+    (0..=72).map(move |n| center + rodrigues(axis, TAU * n as f32 / 72.0) * across)
 }
 
 fn maps() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.9, -3.3), Vec2::new(6.3, 2.35));
+    let mut sheet = Sheet::new((-0.9, -3.3), (6.3, 2.35));
     let panels = [
         ("stretched", scale(Vec3::new(1.8, 1.3, 1.0))),
         ("slanted", shear_x(0.5, 0.0)),
@@ -187,7 +188,7 @@ fn maps() -> anyhow::Result<Drawing> {
     ];
     for (n, (words, m)) in panels.iter().enumerate() {
         let origin = Vec2::new(3.7 * (n % 2) as f32, -2.75 * (n / 2) as f32);
-        axes(&mut sheet, origin, Vec2::new(-0.8, -0.15), Vec2::new(2.4, 2.1));
+        sheet.axes(origin, Vec2::new(-0.8, -0.15), Vec2::new(2.4, 2.1), 1.4);
         draw_letter(&mut sheet, origin, m, SKY, BLUE);
         draw_letter(&mut sheet, origin, &Mat4::IDENTITY, "none", GREY);
         sheet.text(origin + Vec2::new(0.8, -0.35), words, BLACK);
@@ -196,10 +197,10 @@ fn maps() -> anyhow::Result<Drawing> {
 }
 
 fn homogeneous() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.7, -0.6), Vec2::new(5.4, 2.7));
+    let mut sheet = Sheet::new((-0.7, -0.6), (5.4, 2.7));
     let at = Vec2::new;
-    axes(&mut sheet, Vec2::ZERO, at(-0.6, -0.3), at(5.2, 2.5));
-    sheet.line(at(-0.6, 1.0), at(5.2, 1.0), BLACK, 2.4);
+    sheet.axes(Vec2::ZERO, at(-0.6, -0.3), at(5.2, 2.5), 1.4);
+    sheet.line((-0.6, 1.0), (5.2, 1.0), BLACK, 2.4);
     // x' = x + 1.6·w.
     let slant = shear_x(1.6, 0.0);
     let [from, to] = [Mat4::IDENTITY, slant].map(|m| (m * Vec4::new(0.8, 1.0, 0.0, 1.0)).xy());
@@ -208,26 +209,26 @@ fn homogeneous() -> anyhow::Result<Drawing> {
     sheet.arrow(Vec2::ZERO, to, RED);
     sheet.arrow(from + at(0.1, 0.12), to + at(-0.1, 0.12), GREEN);
     sheet.dot(from * 2.0, BLUE);
-    sheet.arrow(at(3.4, 0.0), at(4.6, 0.0), PURPLE);
-    sheet.text_left_of(at(0.62, 1.2), "point", BLUE);
-    sheet.text_right_of(at(2.5, 0.82), "moved", RED);
-    sheet.text_right_of(at(1.75, 2.0), "the same point, at w = 2", BLUE);
-    sheet.text(at(4.0, 0.25), "a vector: w = 0", PURPLE);
-    sheet.text(at(4.75, 1.2), "w = 1", BLACK);
-    sheet.text(at(5.25, -0.25), "x", GREY);
-    sheet.text(at(-0.2, 2.5), "w", GREY);
+    sheet.arrow((3.4, 0.0), (4.6, 0.0), PURPLE);
+    sheet.text_left_of((0.62, 1.2), "point", BLUE);
+    sheet.text_right_of((2.5, 0.82), "moved", RED);
+    sheet.text_right_of((1.75, 2.0), "the same point, at w = 2", BLUE);
+    sheet.text((4.0, 0.25), "a vector: w = 0", PURPLE);
+    sheet.text((4.75, 1.2), "w = 1", BLACK);
+    sheet.text((5.25, -0.25), "x", GREY);
+    sheet.text((-0.2, 2.5), "w", GREY);
     sheet.finish()
 }
 
 fn order() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-2.0, -1.0), Vec2::new(9.6, 4.1));
+    let mut sheet = Sheet::new((-2.0, -1.0), (9.6, 4.1));
     let (moved, turned) = (translate(Vec3::new(2.6, 0.0, 0.0)), turn(90.0));
     for (x, words, first, both) in [
         (0.0, "move, then turn: R · T", moved, turned * moved),
         (5.9, "turn, then move: T · R", turned, moved * turned),
     ] {
         let origin = Vec2::new(x, 0.0);
-        axes(&mut sheet, origin, Vec2::new(-1.8, -0.2), Vec2::new(3.6, 3.9));
+        sheet.axes(origin, Vec2::new(-1.8, -0.2), Vec2::new(3.6, 3.9), 1.4);
         draw_letter(&mut sheet, origin, &Mat4::IDENTITY, "none", GREY);
         draw_letter(&mut sheet, origin, &first, "none", RED);
         draw_letter(&mut sheet, origin, &both, SKY, BLUE);
@@ -237,7 +238,7 @@ fn order() -> anyhow::Result<Drawing> {
 }
 
 fn about_point() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.9, -2.6), Vec2::new(10.1, 2.4));
+    let mut sheet = Sheet::new((-1.9, -2.6), (10.1, 2.4));
     let point = Vec3::new(1.0, 1.5, 0.0);
     let (back, turned) = (translate(-point), turn(60.0));
     let steps = [
@@ -247,7 +248,7 @@ fn about_point() -> anyhow::Result<Drawing> {
     ];
     for (n, (words, from, to)) in steps.iter().enumerate() {
         let origin = Vec2::new(4.1 * n as f32, 0.0);
-        axes(&mut sheet, origin, Vec2::new(-1.7, -1.8), Vec2::new(1.9, 2.2));
+        sheet.axes(origin, Vec2::new(-1.7, -1.8), Vec2::new(1.9, 2.2), 1.4);
         draw_letter(&mut sheet, origin, from, "none", GREY);
         draw_letter(&mut sheet, origin, to, SKY, BLUE);
         let at = |m: &Mat4| place(m, point).map(|p| origin + p.truncate());
@@ -262,14 +263,13 @@ fn about_point() -> anyhow::Result<Drawing> {
 
 fn rodrigues_parts() -> anyhow::Result<Drawing> {
     let see = seen_from(Vec3::new(0.0, 1.8, 2.6))?;
-    let mut sheet = Sheet::new(Vec2::new(-2.3, -0.2), Vec2::new(2.3, 2.95));
+    let mut sheet = Sheet::new((-2.3, -0.2), (2.3, 2.95));
     let (axis, u, angle) = (Vec3::Y, Vec3::new(-0.75, 1.9, 1.3), 55_f32.to_radians());
     let along = axis * axis.dot(u);
     let across = u - along;
     let v = axis.cross(across);
     let turned = rodrigues(axis, angle) * u;
-    let circle: Vec<Vec2> = ring(along, axis, across.length()).into_iter().map(&see).collect();
-    sheet.polyline(&circle, FAINT, 2.0);
+    sheet.polyline(ring(along, axis, across.length()).map(&see), FAINT, 2.0);
     for (end, ink) in [(u, GREY), (turned, GREY), (along + v, PURPLE)] {
         sheet.dashed(see(along), see(end), ink, 2.0);
     }
@@ -289,29 +289,28 @@ fn rodrigues_parts() -> anyhow::Result<Drawing> {
 }
 
 fn circle() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.9, -0.35), Vec2::new(1.9, 1.5));
-    let at = Vec2::new;
+    let mut sheet = Sheet::new((-1.9, -0.35), (1.9, 1.5));
     let angle = 55_f32.to_radians();
     sheet.arc(Vec2::ZERO, 1.2, 0.0, PI, FAINT);
     let (sin, cos) = (1.2 * angle.sin(), 1.2 * angle.cos());
-    sheet.dashed(at(cos, 0.0), at(cos, sin), GREY, 1.8);
-    sheet.dashed(at(0.0, sin), at(cos, sin), GREY, 1.8);
-    sheet.arrow(Vec2::ZERO, at(1.2, 0.0), BLACK);
-    sheet.arrow(Vec2::ZERO, at(0.0, 1.2), PURPLE);
-    sheet.arrow(Vec2::ZERO, at(cos, sin), RED);
+    sheet.dashed((cos, 0.0), (cos, sin), GREY, 1.8);
+    sheet.dashed((0.0, sin), (cos, sin), GREY, 1.8);
+    sheet.arrow(Vec2::ZERO, (1.2, 0.0), BLACK);
+    sheet.arrow(Vec2::ZERO, (0.0, 1.2), PURPLE);
+    sheet.arrow(Vec2::ZERO, (cos, sin), RED);
     sheet.arc(Vec2::ZERO, 0.35, 0.0, angle, BLACK);
-    sheet.text(at(0.42, 0.22), "θ", BLACK);
-    sheet.text_right_of(at(1.25, 0.0), "u⊥", BLACK);
-    sheet.text(at(0.0, 1.34), "v", PURPLE);
-    sheet.text_right_of(at(cos + 0.06, sin + 0.06), "u⊥ turned", RED);
-    sheet.text(at(cos / 2.0, -0.16), "cos θ · u⊥", GREY);
-    sheet.text_left_of(at(-0.06, sin / 2.0), "sin θ · v", GREY);
+    sheet.text((0.42, 0.22), "θ", BLACK);
+    sheet.text_right_of((1.25, 0.0), "u⊥", BLACK);
+    sheet.text((0.0, 1.34), "v", PURPLE);
+    sheet.text_right_of((cos + 0.06, sin + 0.06), "u⊥ turned", RED);
+    sheet.text((cos / 2.0, -0.16), "cos θ · u⊥", GREY);
+    sheet.text_left_of((-0.06, sin / 2.0), "sin θ · v", GREY);
     sheet.finish()
 }
 
 fn gimbal() -> anyhow::Result<Drawing> {
     let see = seen_from(Vec3::new(2.4, 1.3, 2.6))?;
-    let mut sheet = Sheet::new(Vec2::new(-2.0, -2.4), Vec2::new(6.4, 2.2));
+    let mut sheet = Sheet::new((-2.0, -2.4), (6.4, 2.2));
     for (left, pitch) in [(0.0, 20.0), (4.4, 90.0)] {
         let origin = Vec2::new(left, 0.0);
         let (outer, middle) = (rotate_y(-20.0), rotate_y(-20.0) * rotate_x(pitch));
@@ -320,9 +319,7 @@ fn gimbal() -> anyhow::Result<Drawing> {
             (outer * Vec3::X, 1.25, GREEN, "x"),
             (middle * Vec3::Z, 1.0, RED, "z"),
         ] {
-            let points: Vec<Vec2> =
-                ring(Vec3::ZERO, axis, radius).into_iter().map(|p| origin + see(p)).collect();
-            sheet.polyline(&points, ink, 3.0);
+            sheet.polyline(ring(Vec3::ZERO, axis, radius).map(|point| origin + see(point)), ink, 3.0);
             sheet.arrow(origin, origin + see(axis * (radius + 0.35)), ink);
             sheet.text(origin + see(axis * (radius + 0.35)) * 1.14, name, ink);
         }
@@ -332,7 +329,7 @@ fn gimbal() -> anyhow::Result<Drawing> {
 }
 
 fn long_way() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-2.6, -1.45), Vec2::new(2.6, 1.5));
+    let mut sheet = Sheet::new((-2.6, -1.45), (2.6, 1.5));
     let (from, to) = (quaternion(Vec3::Z, 20_f32.to_radians()), quaternion(Vec3::Z, 120_f32.to_radians()));
     let direction = |q: Quat| (from_quaternion(q.normalize()) * Vec3::X).truncate();
     for (to, radius, ink) in [(to, 1.15, BLUE), (-to, 0.9, RED)] {
@@ -350,18 +347,17 @@ fn long_way() -> anyhow::Result<Drawing> {
         sheet.arrow(Vec2::ZERO, direction(q) * 1.32, BLACK);
         sheet.text(direction(q) * 1.32 + Vec2::new(0.28 * direction(q).x.signum(), 0.08), words, BLACK);
     }
-    sheet.text_right_of(Vec2::new(0.75, 1.15), "q to p", BLUE);
-    sheet.text_right_of(Vec2::new(0.85, -0.75), "q to −p", RED);
+    sheet.text_right_of((0.75, 1.15), "q to p", BLUE);
+    sheet.text_right_of((0.85, -0.75), "q to −p", RED);
     sheet.finish()
 }
 
 fn normals() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-3.0, -0.25), Vec2::new(3.0, 1.95));
+    let mut sheet = Sheet::new((-3.0, -0.25), (3.0, 1.95));
     let m = scale(Vec3::new(2.3, 1.0, 1.0));
     let right = normal_matrix(&m).context("the map flattens space")?;
     let on = |degrees: f32| Vec2::from_angle(degrees.to_radians()).extend(0.0);
-    let curve: Vec<Vec2> = (0..=180).map(|n| (m * on(n as f32).extend(1.0)).xy()).collect();
-    sheet.polyline(&curve, BLACK, 2.6);
+    sheet.polyline((0..=180).map(|n| (m * on(n as f32).extend(1.0)).xy()), BLACK, 2.6);
     for degrees in [30.0, 60.0, 90.0, 120.0, 150.0] {
         let point = (m * on(degrees).extend(1.0)).xy();
         let wrong = (m * on(degrees).extend(0.0)).xy().normalize();
@@ -370,105 +366,88 @@ fn normals() -> anyhow::Result<Drawing> {
         sheet.arrow(point, point + normal * 0.75, BLUE);
         sheet.dot(point, BLACK);
     }
-    sheet.text(Vec2::new(0.0, 0.5), "blue: inverse transpose", BLUE);
-    sheet.text(Vec2::new(0.0, 0.16), "red: stretched as points are", RED);
+    sheet.text((0.0, 0.5), "blue: inverse transpose", BLUE);
+    sheet.text((0.0, 0.16), "red: stretched as points are", RED);
     sheet.finish()
 }
 
 fn stretched() -> anyhow::Result<Drawing> {
     let model = ball(48, 80)?;
-    let white = white();
     let m = Mat4::from_mat3(rotate_x(12.0)) * scale(Vec3::new(1.0, 0.3, 1.0));
     let right = normal_matrix(&m).context("the map flattens space")?;
     let draw = |by: Mat3| {
-        let mut image = canvas(500);
-        let size = image.size();
-        let normals =
-            corner_normals(&model).iter().map(|n| n.map(|n| (by * n).normalize_or_zero())).collect();
         let light = Vec3::new(0.35, 0.85, 0.4).normalize();
-        let scene = Scene { model: &model, normals, texture: &white, light };
-        let all = viewport(size.x, size.y, 0.45) * m;
-        gouraud(&scene, &mut image, |point| place(&all, point));
-        cut(&image, [0, 110], [500, 280])
+        let scene = Scene { model: &model, normals: turned(&model, by), texture: &white(), light };
+        let all = viewport(500.0, 500.0, 0.45) * m;
+        cut(&smooth(500, &scene, |point| place(&all, point)), [0, 110], [500, 280])
     };
-    beside(&[&draw(Mat3::from_mat4(m)), &draw(right)])
-}
-
-/// A part of a picture.
-pub(crate) fn cut(image: &Image, [left, bottom]: [i32; 2], [width, height]: [u16; 2]) -> Image {
-    let mut part = Image::new(width, height, image.format());
-    image.pixels().for_each(|(x, y, color)| part.set(x - left, y - bottom, color));
-    part
+    beside([&draw(Mat3::from_mat4(m)), &draw(right)])
 }
 
 fn similar() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-3.1, -0.75), Vec2::new(3.2, 2.3));
+    let mut sheet = Sheet::new((-3.1, -0.75), (3.2, 2.3));
     let at = Vec2::new;
     let (d, p) = (2.6, at(-2.1, 1.9));
     let seen = place(&projection(d), Vec3::new(p.y, 0.0, p.x)).context("the point is behind the eye")?.x;
     sheet.polygon(&[at(d, 0.0), p, at(p.x, 0.0)], SKY, "none");
     sheet.polygon(&[at(d, 0.0), at(0.0, seen), at(0.0, 0.0)], AMBER, "none");
-    sheet.line(at(-3.0, 0.0), at(3.1, 0.0), GREY, 1.6);
-    sheet.line(at(0.0, -0.35), at(0.0, 2.1), BLACK, 2.4);
-    sheet.line(at(d, 0.0), p, BLACK, 1.8);
-    sheet.line(at(p.x, 0.0), p, BLUE, 3.0);
-    sheet.line(at(0.0, 0.0), at(0.0, seen), RED, 4.0);
+    sheet.line((-3.0, 0.0), (3.1, 0.0), GREY, 1.6);
+    sheet.line((0.0, -0.35), (0.0, 2.1), BLACK, 2.4);
+    sheet.line((d, 0.0), p, BLACK, 1.8);
+    sheet.line((p.x, 0.0), p, BLUE, 3.0);
+    sheet.line((0.0, 0.0), (0.0, seen), RED, 4.0);
     sheet.dot(p, BLUE);
-    sheet.dot(at(0.0, seen), RED);
-    sheet.dot(at(d, 0.0), BLACK);
+    sheet.dot((0.0, seen), RED);
+    sheet.dot((d, 0.0), BLACK);
     sheet.text(p + at(0.0, 0.22), "P", BLUE);
-    sheet.text_left_of(at(p.x - 0.1, 0.95), "x", BLUE);
-    sheet.text_right_of(at(0.1, 0.42), "x′", RED);
-    sheet.text(at(0.5, 1.95), "picture", BLACK);
-    sheet.text(at(d, 0.27), "eye", BLACK);
-    sheet.text(at(p.x, -0.25), "z", BLACK);
-    sheet.text(at(0.22, -0.25), "0", BLACK);
-    sheet.text(at(d, -0.25), "d", BLACK);
-    sheet.text(at(1.3, -0.6), "d", RED);
-    sheet.line(at(0.0, -0.45), at(d, -0.45), RED, 1.6);
-    sheet.text(at(-1.2, -0.6), "d − z", BLUE);
-    sheet.line(at(p.x, -0.38), at(d, -0.38), BLUE, 1.6);
+    sheet.text_left_of((p.x - 0.1, 0.95), "x", BLUE);
+    sheet.text_right_of((0.1, 0.42), "x′", RED);
+    sheet.text((0.5, 1.95), "picture", BLACK);
+    sheet.text((d, 0.27), "eye", BLACK);
+    sheet.text((p.x, -0.25), "z", BLACK);
+    sheet.text((0.22, -0.25), "0", BLACK);
+    sheet.text((d, -0.25), "d", BLACK);
+    sheet.text((1.3, -0.6), "d", RED);
+    sheet.line((0.0, -0.45), (d, -0.45), RED, 1.6);
+    sheet.text((-1.2, -0.6), "d − z", BLUE);
+    sheet.line((p.x, -0.38), (d, -0.38), BLUE, 1.6);
     sheet.finish()
 }
 
 /// The model from some distances, always as large where z is 0.
 fn distances(distances: &[f32]) -> anyhow::Result<Drawing> {
     let (model, texture) = (model()?, texture()?);
-    let draw = |d: f32| {
-        let mut image = canvas(600);
-        let size = image.size();
-        let all = viewport(size.x, size.y, if distances.len() > 2 { 0.36 } else { 0.42 }) * projection(d);
-        let scene =
-            Scene { model: &model, normals: corner_normals(&model), texture: &texture, light: Vec3::Z };
-        gouraud(&scene, &mut image, |point| place(&all, point));
-        image
-    };
-    let pictures: Vec<Image> = distances.iter().map(|&d| draw(d)).collect();
-    beside(&pictures.iter().collect::<Vec<_>>())
+    let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light: Vec3::Z };
+    let zoom = if distances.len() > 2 { 0.36 } else { 0.42 };
+    all_beside(distances.iter().map(|&d| {
+        let all = viewport(600.0, 600.0, zoom) * projection(d);
+        Ok(smooth(600, &scene, |point| place(&all, point)))
+    }))
 }
 
 fn behind() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-4.3, -2.7), Vec2::new(6.0, 3.0));
+    let mut sheet = Sheet::new((-4.3, -2.7), (6.0, 3.0));
     let at = Vec2::new;
     let d = 2.0;
     let size = |z: f32| 0.5 / (projection(d) * Vec4::new(0.0, 0.0, z, 1.0)).w;
-    axes(&mut sheet, Vec2::ZERO, at(-4.2, -2.5), at(5.8, 2.8));
-    sheet.dashed(at(d, -2.6), at(d, 2.8), GREY, 1.8);
-    let curve = |from: f32, to: f32| -> Vec<Vec2> {
-        let points = (0..=100).map(|n| from + (to - from) * n as f32 / 100.0).map(|z| at(z, size(z)));
-        points.filter(|p| p.y.abs() < 2.7).collect()
-    };
-    sheet.polyline(&curve(-4.2, d - 0.01), BLUE, 2.8);
-    sheet.polyline(&curve(d + 0.01, 5.8), RED, 2.8);
-    sheet.dot(at(0.0, size(0.0)), BLUE);
-    sheet.text_right_of(at(0.12, 0.3), "1", BLUE);
-    sheet.text_right_of(at(d + 0.15, 2.55), "z = d: the eye", BLACK);
-    sheet.text(at(-2.4, 0.75), "1 / w: seen", BLUE);
-    sheet.text_right_of(at(3.4, -1.35), "upside down:", RED);
-    sheet.text_right_of(at(3.4, -1.85), "behind the eye", RED);
-    sheet.text(at(5.7, 0.3), "z", GREY);
+    sheet.axes(Vec2::ZERO, at(-4.2, -2.5), at(5.8, 2.8), 1.4);
+    sheet.dashed((d, -2.6), (d, 2.8), GREY, 1.8);
+    for (from, to, ink) in [(-4.2, d - 0.01, BLUE), (d + 0.01, 5.8, RED)] {
+        let points = (0..=100).map(|n| from + (to - from) * n as f32 / 100.0).map(|z| (z, size(z)));
+        sheet.polyline(points.filter(|(_, size)| size.abs() < 2.7), ink, 2.8);
+    }
+    sheet.dot((0.0, size(0.0)), BLUE);
+    sheet.text_right_of((0.12, 0.3), "1", BLUE);
+    sheet.text_right_of((d + 0.15, 2.55), "z = d: the eye", BLACK);
+    sheet.text((-2.4, 0.75), "1 / w: seen", BLUE);
+    sheet.text_right_of((3.4, -1.35), "upside down:", RED);
+    sheet.text_right_of((3.4, -1.85), "behind the eye", RED);
+    sheet.text((5.7, 0.3), "z", GREY);
     sheet.finish()
 }
+
+/// Amber and blue.
+pub(crate) const TILES: [Color; 2] = [Color::rgb(0xf2, 0xc1, 0x4e), Color::rgb(0x00, 0x72, 0xb2)];
 
 /// A tiled floor at a height, from one z to another, white and grey by the texture of one texel a tile.
 fn floor(height: f32, from: i32, to: i32) -> anyhow::Result<(Model, Image)> {
@@ -484,24 +463,20 @@ fn floor(height: f32, from: i32, to: i32) -> anyhow::Result<(Model, Image)> {
         text += &format!("f {} {} {} {}\n", corner(1), corner(2), corner(3), corner(4));
         count += 4;
     }
-    let mut tiles = Image::new(2, 1, common::Format::Rgb);
-    tiles.set(0, 0, common::Color::rgb(0xf2, 0xc1, 0x4e));
-    tiles.set(1, 0, common::Color::rgb(0x00, 0x72, 0xb2));
-    Ok((parsed(&text)?, tiles))
+    Ok((parsed(&text)?, chequered(2, 1, TILES)))
 }
 
 fn ghost() -> anyhow::Result<Drawing> {
     let (model, tiles) = floor(-0.5, -16, 16)?;
     let all = viewport(500.0, 500.0, 0.4) * projection(2.0);
-    let scene = || Scene { model: &model, normals: corner_normals(&model), texture: &tiles, light: Vec3::Y };
-    let [mut right, mut wrong] = [canvas(500), canvas(500)];
-    gouraud(&scene(), &mut right, |point| place(&all, point));
+    let scene = Scene { model: &model, normals: corner_normals(&model), texture: &tiles, light: Vec3::Y };
+    let right = smooth(500, &scene, |point| place(&all, point));
     // The fault: no look at the sign of w.
-    gouraud(&scene(), &mut wrong, |point| {
+    let wrong = smooth(500, &scene, |point| {
         let p = all * point.extend(1.0);
         Some(p.xyz() / p.w)
     });
-    beside(&[&right, &wrong])
+    beside([&right, &wrong])
 }
 
 /// The projection of a field of view from `left`, `right`, `bottom`, `top` at the distance `near` to the cube
@@ -521,7 +496,7 @@ fn frustum([left, right]: [f32; 2], [bottom, top]: [f32; 2], near: f32, far: f32
 }
 
 fn frustum_to_cube() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-4.4, -2.1), Vec2::new(4.8, 2.1));
+    let mut sheet = Sheet::new((-4.4, -2.1), (4.8, 2.1));
     let at = Vec2::new;
     let (near, far, half) = (1.0, 4.0, 0.45);
     let m = frustum([-half, half], [-half, half], near, far);
@@ -536,7 +511,7 @@ fn frustum_to_cube() -> anyhow::Result<Drawing> {
         BLUE,
     );
     let cube = at(3.1, 0.0);
-    sheet.polygon(&[cube - 1.3, cube + at(1.3, -1.3), cube + 1.3, cube + at(-1.3, 1.3)], SKY, BLUE);
+    sheet.rectangle(cube - 1.3, cube + 1.3, SKY, BLUE);
     for n in 0..=6 {
         let distance = near + (far - near) * n as f32 / 6.0;
         let z = place(&m, Vec3::new(0.0, 0.0, -distance)).context("behind the eye")?.z;
@@ -554,48 +529,42 @@ fn frustum_to_cube() -> anyhow::Result<Drawing> {
 }
 
 fn depth_row() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.5, -3.0), Vec2::new(10.9, 2.9));
+    let mut sheet = Sheet::new((-1.5, -3.0), (10.9, 2.9));
     let at = Vec2::new;
     let far = 10.0;
-    axes(&mut sheet, Vec2::ZERO, at(-0.1, -2.2), at(10.6, 2.4));
-    sheet.dashed(at(0.0, 2.0), at(10.3, 2.0), GREY, 1.4);
-    sheet.dashed(at(0.0, -2.0), at(10.3, -2.0), GREY, 1.4);
+    sheet.axes(Vec2::ZERO, at(-0.1, -2.2), at(10.6, 2.4), 1.4);
+    sheet.dashed((0.0, 2.0), (10.3, 2.0), GREY, 1.4);
+    sheet.dashed((0.0, -2.0), (10.3, -2.0), GREY, 1.4);
     for (near, ink, words, where_) in
         [(1.0, BLUE, "near plane at 1", at(3.4, 0.75)), (0.1, RED, "at 0.1", at(1.5, 2.45))]
     {
         let m = frustum([-1.0, 1.0], [-1.0, 1.0], near, far);
         let points = (0..=200).map(|n| near + (far - near) * (n as f32 / 200.0).powi(2));
-        let curve: Vec<Vec2> = points
-            .filter_map(|distance| Some(at(distance, 2.0 * place(&m, Vec3::Z * -distance)?.z)))
-            .collect();
-        sheet.polyline(&curve, ink, 2.8);
+        let curve = points.filter_map(|distance| Some((distance, 2.0 * place(&m, Vec3::Z * -distance)?.z)));
+        sheet.polyline(curve, ink, 2.8);
         sheet.text_right_of(where_, words, ink);
     }
-    sheet.text_left_of(at(-0.2, 2.0), "1", BLACK);
-    sheet.text_left_of(at(-0.2, -2.0), "−1", BLACK);
+    sheet.text_left_of((-0.2, 2.0), "1", BLACK);
+    sheet.text_left_of((-0.2, -2.0), "−1", BLACK);
     for distance in [1, 5, 10] {
-        sheet.line(at(distance as f32, -0.12), at(distance as f32, 0.12), GREY, 1.6);
-        sheet.text(at(distance as f32, -0.5), &distance.to_string(), BLACK);
+        sheet.line((distance as f32, -0.12), (distance as f32, 0.12), GREY, 1.6);
+        sheet.text((distance as f32, -0.5), &distance.to_string(), BLACK);
     }
-    sheet.text_left_of(at(10.8, -1.2), "distance from the eye", GREY);
-    sheet.text_right_of(at(0.2, -2.65), "depth after division, from −1 to 1", GREY);
+    sheet.text_left_of((10.8, -1.2), "distance from the eye", GREY);
+    sheet.text_right_of((0.2, -2.65), "depth after division, from −1 to 1", GREY);
     sheet.finish()
 }
 
 fn to_pixels() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.5, -0.9), Vec2::new(14.4, 6.6));
+    let mut sheet = Sheet::new((-0.5, -0.9), (14.4, 6.6));
     let letter_in_square = translate(Vec3::new(-0.35, -0.6, 0.0)) * scale(Vec3::splat(0.75));
     let (center, half) = (Vec2::new(2.2, 3.0), 2.0);
-    sheet.polygon(
-        &[center - half, center + Vec2::new(half, -half), center + half, center + Vec2::new(-half, half)],
-        "#ffffff",
-        GREY,
-    );
-    axes(&mut sheet, center, Vec2::splat(-half), Vec2::splat(half));
+    sheet.rectangle(center - half, center + half, "#ffffff", GREY);
+    sheet.axes(center, Vec2::splat(-half), Vec2::splat(half), 1.4);
     draw_letter(&mut sheet, center, &(scale(Vec3::splat(half)) * letter_in_square), SKY, BLUE);
     sheet.text(center - half - Vec2::new(0.0, 0.5), "(−1, −1)", BLACK);
     sheet.text(center + half + Vec2::new(-0.3, 0.5), "(1, 1)", BLACK);
-    sheet.arrow(Vec2::new(4.6, 3.0), Vec2::new(5.7, 3.0), BLACK);
+    sheet.arrow((4.6, 3.0), (5.7, 3.0), BLACK);
     let picture = Vec2::new(6.0, 0.0);
     sheet.grid((6, 0), (14, 6));
     draw_letter(&mut sheet, picture, &(viewport(8.0, 6.0, 0.5) * letter_in_square), SKY, BLUE);
@@ -614,19 +583,11 @@ fn drift() -> anyhow::Result<Drawing> {
     // What would bring it back, without any error.
     let back = rodrigues_f64(DVec3::Y, -f64::from(angle) * f64::from(TURNS)).as_mat3();
     let (model, texture) = (model()?, texture()?);
-    let draw = |name: &str| -> anyhow::Result<Image> {
-        let compose = Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?.run;
-        let turned = Mat4::from_mat3(back * compose(Vec3::Y, angle, TURNS));
-        let mut image = canvas(500);
-        let size = image.size();
-        let all = viewport(size.x, size.y, 0.4) * projection(4.0) * turned;
-        let by = normal_matrix(&turned).context("the model is flat")?;
-        let normals =
-            corner_normals(&model).iter().map(|n| n.map(|n| (by * n).normalize_or_zero())).collect();
+    all_beside(["f32", "f32-renormalised", "f64"].map(|name| {
+        let turn = Mat4::from_mat3(back * method(METHODS, name)?(Vec3::Y, angle, TURNS));
+        let all = viewport(500.0, 500.0, 0.4) * projection(4.0) * turn;
+        let normals = turned(&model, normal_matrix(&turn).context("the model is flat")?);
         let scene = Scene { model: &model, normals, texture: &texture, light: Vec3::Z };
-        gouraud(&scene, &mut image, |point| place(&all, point));
-        Ok(image)
-    };
-    let [a, b, c] = ["f32", "f32-renormalised", "f64"].map(draw);
-    beside(&[&a?, &b?, &c?])
+        Ok(smooth(500, &scene, |point| place(&all, point)))
+    }))
 }

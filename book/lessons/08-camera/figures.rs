@@ -3,13 +3,14 @@
 use anyhow::Context;
 use camera::turntable::turned;
 use camera::{Look, METHODS, View, basis, relative};
-use common::{Image, Mat3, Method, Vec2, Vec3};
-use gouraud::{Scene, corner_normals, gouraud};
+use common::{Color, Image, Mat3, Vec2, Vec3};
+use gouraud::{Scene, corner_normals};
 use transforms::{place, projection, viewport};
 
+use crate::figures::picture::{all_beside, method, model, texture};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, PURPLE, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model, texture};
-use crate::lessons::gouraud::figures::canvas;
+use crate::figures::{Drawing, Figure};
+use crate::lessons::gouraud::figures::smooth;
 use crate::lessons::transforms::figures::seen_from;
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -66,7 +67,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
         "camera-far",
         "The model and the eye, moved together to 10,000, 100,000 and 1,000,000: there the face is in steps, and \
-         at last in rags.",
+         at last in rags. And once more at 1,000,000, by camera-relative drawing.",
         far,
     ),
     Figure::new(
@@ -97,23 +98,17 @@ impl Shot {
 /// The model, moved together with the eye that looks at it.
 fn view(look: Look, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let Shot { eye, center, zoom, light } = *shot;
-    let (model, texture) = (model()?, texture()?);
-    let mut image = canvas(500);
-    let size = image.size();
+    let (model, texture, light) = (model()?, texture()?, light.normalize());
     let View { origin, matrix } =
         look(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
-    let all = viewport(size.x, size.y, zoom) * projection(eye.distance(center)) * matrix;
-    let light = light.normalize();
+    let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * matrix;
     let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light };
-    gouraud(&scene, &mut image, |point| place(&all, point + moved - origin));
-    Ok(image)
+    Ok(smooth(500, &scene, |point| place(&all, point + moved - origin)))
 }
 
 fn views(shots: &[Shot]) -> anyhow::Result<Drawing> {
-    let lookat = by_name("lookat")?;
-    let pictures = shots.iter().map(|shot| view(lookat, shot, Vec3::ZERO));
-    let pictures = pictures.collect::<anyhow::Result<Vec<Image>>>()?;
-    beside(&pictures.iter().collect::<Vec<_>>())
+    let lookat = *method(METHODS, "lookat")?;
+    all_beside(shots.iter().map(|shot| view(lookat, shot, Vec3::ZERO)))
 }
 
 fn eye_and_basis() -> anyhow::Result<Drawing> {
@@ -121,7 +116,7 @@ fn eye_and_basis() -> anyhow::Result<Drawing> {
     let (eye, center) = (Vec3::new(1.9, 1.5, 1.9), Vec3::new(-0.5, 0.1, -0.5));
     let rows = basis(eye, center, Vec3::Y).context("the eye is at the centre")?;
     let [x, y, z] = [0, 1, 2].map(|row| rows.row(row));
-    let mut sheet = Sheet::new(Vec2::new(-2.3, -1.55), Vec2::new(3.5, 2.0));
+    let mut sheet = Sheet::new((-2.3, -1.55), (3.5, 2.0));
     let corner = |i: f32, j: f32| see(center + x * i + y * j);
     sheet.polygon(&[corner(-1.1, -1.1), corner(1.1, -1.1), corner(1.1, 1.1), corner(-1.1, 1.1)], SKY, BLUE);
     sheet.dashed(see(center), see(eye), GREY, 2.0);
@@ -141,7 +136,7 @@ fn eye_and_basis() -> anyhow::Result<Drawing> {
 }
 
 fn change() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.6, -0.6), Vec2::new(6.4, 3.9));
+    let mut sheet = Sheet::new((-0.6, -0.6), (6.4, 3.9));
     let at = Vec2::new;
     let (other, i) = (at(2.4, 0.7), Vec2::from_angle(28_f32.to_radians()));
     let j = i.perp();
@@ -153,32 +148,32 @@ fn change() -> anyhow::Result<Drawing> {
     for (from, to) in [(other + i * a, p), (other + j * b, p)] {
         sheet.dashed(from, to, BLUE, 1.8);
     }
-    sheet.line(Vec2::ZERO, at(6.2, 0.0), FAINT, 1.8);
-    sheet.line(Vec2::ZERO, at(0.0, 3.8), FAINT, 1.8);
+    sheet.line(Vec2::ZERO, (6.2, 0.0), FAINT, 1.8);
+    sheet.line(Vec2::ZERO, (0.0, 3.8), FAINT, 1.8);
     sheet.line(other, other + i * 3.6, SKY, 1.8);
     sheet.line(other, other + j * 2.4, SKY, 1.8);
     sheet.arrow(Vec2::ZERO, other, PURPLE);
-    sheet.arrow(Vec2::ZERO, at(1.0, 0.0), BLACK);
-    sheet.arrow(Vec2::ZERO, at(0.0, 1.0), BLACK);
+    sheet.arrow(Vec2::ZERO, (1.0, 0.0), BLACK);
+    sheet.arrow(Vec2::ZERO, (0.0, 1.0), BLACK);
     sheet.arrow(other, other + i, BLUE);
     sheet.arrow(other, other + j, BLUE);
     sheet.dot(p, RED);
     sheet.text_right_of(p + at(0.12, 0.12), "P", RED);
-    sheet.text(at(-0.2, -0.25), "O", BLACK);
-    sheet.text(at(0.9, -0.28), "i", BLACK);
-    sheet.text(at(-0.25, 0.9), "j", BLACK);
+    sheet.text((-0.2, -0.25), "O", BLACK);
+    sheet.text((0.9, -0.28), "i", BLACK);
+    sheet.text((-0.25, 0.9), "j", BLACK);
     sheet.text(other + at(0.15, -0.28), "O′", BLUE);
     sheet.text(other + i * 0.95 + at(0.12, -0.28), "i′", BLUE);
     sheet.text_left_of(other + j * 0.95 + at(-0.12, 0.0), "j′", BLUE);
-    sheet.text(at(p.x, -0.28), "x", GREY);
-    sheet.text_left_of(at(-0.1, p.y), "y", GREY);
+    sheet.text((p.x, -0.28), "x", GREY);
+    sheet.text_left_of((-0.1, p.y), "y", GREY);
     sheet.text(other + i * a + at(0.12, -0.28), "x′", BLUE);
     sheet.text_left_of(other + j * b + at(-0.12, 0.05), "y′", BLUE);
     sheet.finish()
 }
 
 fn up() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.3, -0.45), Vec2::new(4.0, 2.0));
+    let mut sheet = Sheet::new((-1.3, -0.45), (4.0, 2.0));
     let z = Vec2::from_angle(24_f32.to_radians());
     let up = Vec2::Y * 1.7;
     let y = (up - z * up.dot(z)).normalize();
@@ -196,7 +191,7 @@ fn up() -> anyhow::Result<Drawing> {
     sheet.text(z * 1.2 + Vec2::new(0.1, -0.22), "z′", BLACK);
     sheet.text_right_of(up + Vec2::new(0.1, 0.0), "up", PURPLE);
     sheet.text_left_of(y * 1.2 + Vec2::new(-0.1, 0.0), "y′", GREEN);
-    sheet.text(Vec2::new(0.25, -0.25), "x′, towards you", RED);
+    sheet.text((0.25, -0.25), "x′, towards you", RED);
     sheet.finish()
 }
 
@@ -234,12 +229,11 @@ fn steps(center: Vec2, right_order: bool) -> anyhow::Result<Drawing> {
             ("3. R · P − C", moved(turn, zero, center)),
         ]
     };
-    let mut sheet = Sheet::new(Vec2::new(-1.9, -4.2), Vec2::new(11.6, 2.4));
+    let mut sheet = Sheet::new((-1.9, -4.2), (11.6, 2.4));
     for (n, (words, map)) in panels.iter().enumerate() {
         let origin = Vec2::new(4.4 * n as f32, 0.0);
         let at = |p: Vec3| origin + Vec2::new(map(p).x, -map(p).z);
-        sheet.line(origin + Vec2::new(-1.8, 0.0), origin + Vec2::new(2.3, 0.0), GREY, 1.4);
-        sheet.line(origin + Vec2::new(0.0, -2.2), origin + Vec2::new(0.0, 2.2), GREY, 1.4);
+        sheet.axes(origin, (-1.8, -2.2), (2.3, 2.2), 1.4);
         let letter = LETTER.map(|(x, y)| at(center + Vec3::new(x, 0.0, -y)));
         sheet.polygon(&letter, SKY, BLUE);
         sheet.dashed(at(eye), at(center), BLACK, 1.8);
@@ -250,30 +244,23 @@ fn steps(center: Vec2, right_order: bool) -> anyhow::Result<Drawing> {
     sheet.finish()
 }
 
-/// The lesson's method of that name.
-fn by_name(name: &str) -> anyhow::Result<Look> {
-    Ok(Method::find(METHODS, name).with_context(|| format!("no method `{name}`"))?.run)
-}
-
 fn by_both() -> anyhow::Result<Drawing> {
     let shot =
         Shot { center: Vec3::new(0.0, 0.1, 0.55), zoom: 0.5, ..Shot::of_model(Vec3::new(1.7, 0.5, 1.9)) };
-    let by = |name: &str| -> anyhow::Result<Image> {
-        let mut image = view(by_name(name)?, &shot, Vec3::ZERO)?;
+    all_beside(["listing", "lookat"].map(|name| {
+        let mut image = view(*method(METHODS, name)?, &shot, Vec3::ZERO)?;
         // The middle, marked.
         for n in -14..=14 {
             for (x, y) in [(250 + n, 250), (250, 250 + n), (250 + n, 249), (249, 250 + n)] {
-                image.set(x, y, common::Color::WHITE);
+                image.set(x, y, Color::WHITE);
             }
         }
         Ok(image)
-    };
-    let (listing, lookat) = (by("listing")?, by("lookat")?);
-    beside(&[&listing, &lookat])
+    }))
 }
 
 fn chain() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(0.0, -1.35), Vec2::new(14.4, 2.1));
+    let mut sheet = Sheet::new((0.0, -1.35), (14.4, 2.1));
     let boxes: [(&str, &str, Ink); 4] = [
         ("model", "where it was made", AMBER),
         ("world", "where it stands", AMBER),
@@ -282,17 +269,15 @@ fn chain() -> anyhow::Result<Drawing> {
     ];
     for (n, (name, _, fill)) in boxes.iter().enumerate() {
         let left = 4.0 * n as f32;
-        let corners = [(0.1, -0.5), (2.3, -0.5), (2.3, 0.5), (0.1, 0.5)].map(|(x, y)| Vec2::new(left + x, y));
-        sheet.polygon(&corners, fill, BLACK);
-        sheet.text(Vec2::new(left + 1.2, 0.0), name, BLACK);
+        sheet.labelled((left + 1.2, 0.0), (1.1, 0.5), fill, name);
     }
     for (n, words) in ["T · R · S", "V", "W · P, ÷ w"].iter().enumerate() {
         let left = 4.0 * n as f32 + 2.4;
-        sheet.arrow(Vec2::new(left, 0.0), Vec2::new(left + 1.6, 0.0), BLACK);
-        sheet.text(Vec2::new(left + 0.8, 0.95), words, RED);
+        sheet.arrow((left, 0.0), (left + 1.6, 0.0), BLACK);
+        sheet.text((left + 0.8, 0.95), words, RED);
     }
     for (n, words) in ["chapter 7", "this one", "chapter 7"].iter().enumerate() {
-        sheet.text(Vec2::new(4.0 * n as f32 + 3.2, -0.95), words, GREY);
+        sheet.text((4.0 * n as f32 + 3.2, -0.95), words, GREY);
     }
     sheet.finish()
 }
@@ -307,9 +292,9 @@ fn pole() -> anyhow::Result<Drawing> {
 
 fn far() -> anyhow::Result<Drawing> {
     let shot = Shot::of_model(Vec3::new(0.5, 0.3, 2.4));
-    let lookat = by_name("lookat")?;
-    let [a, b, c] = [1e4, 1e5, 1e6].map(|distance| view(lookat, &shot, Vec3::splat(distance)));
-    beside(&[&a?, &b?, &c?, &view(relative, &shot, Vec3::splat(1e6))?])
+    let lookat = *method(METHODS, "lookat")?;
+    let by = [(lookat, 1e4), (lookat, 1e5), (lookat, 1e6), (relative as Look, 1e6)];
+    all_beside(by.map(|(look, distance)| view(look, &shot, Vec3::splat(distance))))
 }
 
 fn turntable() -> anyhow::Result<Drawing> {

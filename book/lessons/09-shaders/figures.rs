@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use anyhow::Context;
 use camera::lookat;
-use common::{Color, Format, Image, Mat4, Method, Model, Vec2, Vec3, Vec4};
+use common::{Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use gouraud::corner_normals;
 use shaders::lighting::{Lighting, Quantized};
 use shaders::program::{Shader, render};
@@ -12,9 +12,11 @@ use shaders::{METHODS, SHADERS, Scene, Target};
 use transforms::{projection, translate, viewport};
 use zbuffer::fill_nearest;
 
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, RED, SKY, Sheet};
-use crate::figures::{Drawing, Figure, beside, model, texture};
-use crate::lessons::gouraud::figures::{ball, canvas, parsed};
+use crate::figures::picture::{all_beside, beside, canvas, chequered, method, model, paste, texture};
+use crate::figures::shape::{ball, parsed};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, RED, SKY, Sheet};
+use crate::figures::{Drawing, Figure};
+use crate::lessons::transforms::figures::TILES;
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -85,9 +87,7 @@ fn to_screen(eye: Vec3, side: u16, zoom: f32) -> anyhow::Result<Mat4> {
 
 /// What one of the lesson's shaders makes of a scene, drawn over what is there.
 fn draw(shader: &str, scene: &Scene, target: &mut Target) -> anyhow::Result<()> {
-    let generic = Method::find(METHODS, "generic").context("no method `generic`")?;
-    let shader = Method::find(SHADERS, shader).with_context(|| format!("no shader `{shader}`"))?;
-    (generic.run)(&shader.run)(scene, target);
+    method(METHODS, "generic")?(method(SHADERS, shader)?)(scene, target);
     Ok(())
 }
 
@@ -107,21 +107,13 @@ fn four_looks() -> anyhow::Result<Drawing> {
     for (n, shader) in SHADERS.iter().take(4).enumerate() {
         // Drawn larger, so that it is smooth when it is made smaller.
         let cell = look(shader.name, 1080, 1, Vec3::new(0.5, 0.3, 0.8).normalize())?.scale(360, 360);
-        let (left, bottom) = (360 * (n as i32 % 2), 360 * (1 - n as i32 / 2));
-        cell.pixels().for_each(|(x, y, color)| sheet.set(left + x, bottom + y, color));
+        paste(&cell, &mut sheet, [360 * (n as i32 % 2), 360 * (1 - n as i32 / 2)]);
     }
     Ok(Drawing::Pixels(sheet, 1))
 }
 
-/// A box with a line of words.
-fn labelled(sheet: &mut Sheet, center: Vec2, half: Vec2, fill: Ink, words: &str) {
-    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-    sheet.polygon(&corners.map(|(x, y)| center + half * Vec2::new(x, y)), fill, BLACK);
-    sheet.text(center, words, BLACK);
-}
-
 fn loop_steps() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-2.6, -8.0), Vec2::new(9.4, 1.5));
+    let mut sheet = Sheet::new((-2.6, -8.0), (9.4, 1.5));
     let at = Vec2::new;
     let steps = [
         (AMBER, "triangle", "a constant, or next triangle"),
@@ -136,20 +128,20 @@ fn loop_steps() -> anyhow::Result<Drawing> {
         if n > 0 {
             sheet.arrow(center + at(0.0, 0.95), center + at(0.0, 0.46), BLACK);
         }
-        labelled(&mut sheet, center, at(2.4, 0.45), fill, words);
+        sheet.labelled(center, at(2.4, 0.45), fill, words);
         sheet.text_right_of(center + at(2.7, 0.0), result, GREY);
     }
-    sheet.text(at(0.0, 1.05), "amber: the shader's", BLACK);
-    sheet.text_right_of(at(2.7, 1.05), "blue: the loop's", BLUE);
+    sheet.text((0.0, 1.05), "amber: the shader's", BLACK);
+    sheet.text_right_of((2.7, 1.05), "blue: the loop's", BLUE);
     sheet.finish()
 }
 
 fn parts() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-3.4, -3.3), Vec2::new(12.6, 1.3));
+    let mut sheet = Sheet::new((-3.4, -3.3), (12.6, 1.3));
     let at = Vec2::new;
     let half = at(2.2, 0.62);
     for (column, words) in ["Flat", "Gouraud", "Quantized"].iter().enumerate() {
-        sheet.text(at(1.2 + 4.6 * column as f32, 0.75), words, BLUE);
+        sheet.text((1.2 + 4.6 * column as f32, 0.75), words, BLUE);
         for (row, names) in
             [["flat", "gouraud", "quantized"], ["flat-texture", "gouraud-texture", ""]].iter().enumerate()
         {
@@ -159,36 +151,36 @@ fn parts() -> anyhow::Result<Drawing> {
                 "there is no shader `{name}`"
             );
             let center = at(1.2 + 4.6 * column as f32, -0.6 - 1.8 * row as f32);
-            labelled(&mut sheet, center, half, if name.is_empty() { "none" } else { SKY }, name);
+            sheet.labelled(center, half, if name.is_empty() { "none" } else { SKY }, name);
         }
     }
     for (row, words) in ["White", "Texture"].iter().enumerate() {
-        sheet.text(at(-2.25, -0.6 - 1.8 * row as f32), words, RED);
+        sheet.text((-2.25, -0.6 - 1.8 * row as f32), words, RED);
     }
     sheet.finish()
 }
 
 fn calls() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-1.9, -5.0), Vec2::new(10.9, 1.9));
+    let mut sheet = Sheet::new((-1.9, -5.0), (10.9, 1.9));
     let at = Vec2::new;
-    sheet.text(at(1.9, 1.45), "dyn", RED);
-    labelled(&mut sheet, at(-0.3, -1.4), at(1.4, 0.7), SKY, "one loop");
-    sheet.text(at(8.4, 1.45), "generic", GREEN);
+    sheet.text((1.9, 1.45), "dyn", RED);
+    sheet.labelled(at(-0.3, -1.4), at(1.4, 0.7), SKY, "one loop");
+    sheet.text((8.4, 1.45), "generic", GREEN);
     for (n, name) in ["flat", "gouraud", "…"].iter().enumerate() {
         let y = 0.4 - 1.8 * n as f32;
-        sheet.arrow(at(1.15, -1.4), at(2.9, y), RED);
-        labelled(&mut sheet, at(4.0, y), at(1.05, 0.55), AMBER, name);
-        labelled(&mut sheet, at(8.4, y), at(2.3, 0.7), SKY, "");
-        sheet.text(at(7.2, y), "loop", BLACK);
-        labelled(&mut sheet, at(9.25, y), at(1.15, 0.48), AMBER, name);
+        sheet.arrow((1.15, -1.4), (2.9, y), RED);
+        sheet.labelled(at(4.0, y), at(1.05, 0.55), AMBER, name);
+        sheet.labelled(at(8.4, y), at(2.3, 0.7), SKY, "");
+        sheet.text((7.2, y), "loop", BLACK);
+        sheet.labelled(at(9.25, y), at(1.15, 0.48), AMBER, name);
     }
-    sheet.text(at(1.5, -4.65), "a call at every pixel", RED);
-    sheet.text(at(8.4, -4.65), "no call at all", GREEN);
+    sheet.text((1.5, -4.65), "a call at every pixel", RED);
+    sheet.text((8.4, -4.65), "no call at all", GREEN);
     sheet.finish()
 }
 
 fn stairs() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.55, -0.38), Vec2::new(1.5, 1.2));
+    let mut sheet = Sheet::new((-0.55, -0.38), (1.5, 1.2));
     let at = Vec2::new;
     let model = ball(4, 4)?;
     let scene = Scene {
@@ -200,10 +192,9 @@ fn stairs() -> anyhow::Result<Drawing> {
         levels: 6,
     };
     let shader = Quantized::new(&scene);
-    sheet.polygon(&[at(-0.5, -0.3), at(0.0, -0.3), at(0.0, 1.1), at(-0.5, 1.1)], FAINT, "none");
-    sheet.line(at(-0.5, 0.0), at(1.45, 0.0), GREY, 1.5);
-    sheet.line(at(0.0, -0.3), at(0.0, 1.15), GREY, 1.5);
-    sheet.dashed(at(-0.3, -0.3), at(1.1, 1.1), GREY, 1.6);
+    sheet.rectangle((-0.5, -0.3), (0.0, 1.1), FAINT, "none");
+    sheet.axes((0.0, 0.0), (-0.5, -0.3), (1.45, 1.15), 1.5);
+    sheet.dashed((-0.3, -0.3), (1.1, 1.1), GREY, 1.6);
     // From the middle of one step to that of the next there is a jump in between.
     let mut last: Option<Vec2> = None;
     for n in -50..=145 {
@@ -214,19 +205,17 @@ fn stairs() -> anyhow::Result<Drawing> {
         }
         last = Some(point);
     }
-    sheet.text(at(1.0, -0.12), "1", BLACK);
-    sheet.text_left_of(at(-0.04, 1.0), "1", BLACK);
-    sheet.text(at(1.32, -0.12), "i", GREY);
-    sheet.text(at(-0.26, 0.6), "dropped", RED);
-    sheet.text_right_of(at(0.62, 0.3), "six steps", BLUE);
+    sheet.text((1.0, -0.12), "1", BLACK);
+    sheet.text_left_of((-0.04, 1.0), "1", BLACK);
+    sheet.text((1.32, -0.12), "i", GREY);
+    sheet.text((-0.26, 0.6), "dropped", RED);
+    sheet.text_right_of((0.62, 0.3), "six steps", BLUE);
     sheet.finish()
 }
 
 fn levels() -> anyhow::Result<Drawing> {
     let light = Vec3::new(0.5, 0.3, 0.8).normalize();
-    let pictures = [1, 2, 3, 6].map(|levels| look("quantized", 500, levels, light));
-    let pictures: Vec<Image> = pictures.into_iter().collect::<anyhow::Result<_>>()?;
-    beside(&pictures.iter().collect::<Vec<_>>())
+    all_beside([1, 2, 3, 6].map(|levels| look("quantized", 500, levels, light)))
 }
 
 /// A level square from −1 to 1, at a height of −1, of so many squares each way, with one texture on all.
@@ -247,11 +236,7 @@ fn floor(squares: usize) -> anyhow::Result<Model> {
 }
 
 fn floors() -> anyhow::Result<Drawing> {
-    let mut chequers = Image::new(8, 8, Format::Rgb);
-    for (x, y, _) in chequers.clone().pixels() {
-        let bright = (x + y) % 2 == 0;
-        chequers.set(x, y, if bright { Color::rgb(0xf2, 0xc1, 0x4e) } else { Color::rgb(0x00, 0x72, 0xb2) });
-    }
+    let chequers = chequered(8, 8, TILES);
     const SIZE: [u16; 2] = [560, 212];
     let mut sheet = Image::new(SIZE[0], 3 * SIZE[1], Format::Rgb);
     for (n, squares) in [64, 3, 1].into_iter().enumerate() {
@@ -264,63 +249,59 @@ fn floors() -> anyhow::Result<Drawing> {
         let scene =
             Scene { model: &model, normals, texture: Some(&chequers), light: Vec3::Y, to_screen, levels: 1 };
         draw("flat-texture", &scene, &mut target)?;
-        let bottom = n as i32 * i32::from(SIZE[1]);
-        target.image.pixels().for_each(|(x, y, color)| sheet.set(x, bottom + y, color));
+        paste(&target.image, &mut sheet, [0, n as i32 * i32::from(SIZE[1])]);
     }
     Ok(Drawing::Pixels(sheet, 1))
 }
 
 fn warp() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.5, -0.75), Vec2::new(9.2, 2.3));
+    let mut sheet = Sheet::new((-0.5, -0.75), (9.2, 2.3));
     let at = Vec2::new;
     let (eye, near, far, picture) = (at(0.0, 1.7), 2.2, 8.6, 1.3);
     // Where the ray to a point of the floor meets the picture.
     let seen = |x: f32| eye.y + (0.0 - eye.y) * picture / x;
     let steps = 6;
-    sheet.line(at(-0.3, 0.0), at(9.1, 0.0), GREY, 1.6);
-    sheet.line(at(near, 0.0), at(far, 0.0), BLUE, 4.0);
-    sheet.line(at(picture, 0.1), at(picture, 1.9), BLACK, 2.2);
+    sheet.line((-0.3, 0.0), (9.1, 0.0), GREY, 1.6);
+    sheet.line((near, 0.0), (far, 0.0), BLUE, 4.0);
+    sheet.line((picture, 0.1), (picture, 1.9), BLACK, 2.2);
     for n in 0..=steps {
         let height = seen(near) + (seen(far) - seen(near)) * n as f32 / steps as f32;
         let x = eye.y * picture / (eye.y - height);
         let middle = n * 2 == steps;
-        sheet.line(eye, at(x, 0.0), if middle { RED } else { FAINT }, if middle { 2.2 } else { 1.6 });
-        sheet.dot(at(picture, height), if middle { RED } else { BLUE });
-        sheet.dot(at(x, 0.0), if middle { RED } else { BLUE });
+        sheet.line(eye, (x, 0.0), if middle { RED } else { FAINT }, if middle { 2.2 } else { 1.6 });
+        sheet.dot((picture, height), if middle { RED } else { BLUE });
+        sheet.dot((x, 0.0), if middle { RED } else { BLUE });
     }
     let middle = at((near + far) / 2.0, 0.0);
     sheet.arrow(middle + at(0.0, 0.8), middle + at(0.0, 0.1), BLACK);
     sheet.text_right_of(middle + at(-0.1, 1.0), "the floor's middle", BLACK);
     sheet.dot(eye, BLACK);
     sheet.text(eye + at(0.0, 0.28), "eye", BLACK);
-    sheet.text(at(picture, 2.08), "picture", BLACK);
-    sheet.text(at(near, -0.3), "near", BLUE);
-    sheet.text(at(far, -0.3), "far", BLUE);
-    sheet.text_right_of(at(3.3, -0.55), "the middle of the picture", RED);
+    sheet.text((picture, 2.08), "picture", BLACK);
+    sheet.text((near, -0.3), "near", BLUE);
+    sheet.text((far, -0.3), "far", BLUE);
+    sheet.text_right_of((3.3, -0.55), "the middle of the picture", RED);
     sheet.finish()
 }
 
 fn share() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new(Vec2::new(-0.2, -0.2), Vec2::new(1.55, 1.12));
-    let at = Vec2::new;
-    sheet.line(at(0.0, 0.0), at(1.08, 0.0), GREY, 1.5);
-    sheet.line(at(0.0, 0.0), at(0.0, 1.08), GREY, 1.5);
-    sheet.dashed(at(0.0, 0.0), at(1.0, 1.0), GREY, 1.8);
+    let mut sheet = Sheet::new((-0.2, -0.2), (1.55, 1.12));
+    sheet.axes((0.0, 0.0), (0.0, 0.0), (1.08, 1.08), 1.5);
+    sheet.dashed((0.0, 0.0), (1.0, 1.0), GREY, 1.8);
     for (ratio, ink) in [(1.5_f32, GREEN), (3.0, BLUE), (9.0, RED)] {
-        let curve: Vec<Vec2> =
-            (0..=60).map(|n| n as f32 / 60.0).map(|s| at(s, s / (s + (1.0 - s) * ratio))).collect();
-        sheet.polyline(&curve, ink, 2.8);
+        let curve = (0..=60).map(|n| n as f32 / 60.0).map(|s| (s, s / (s + (1.0 - s) * ratio)));
+        sheet.polyline(curve, ink, 2.8);
         let root = ratio.sqrt();
         let s = root / (root + 1.0);
-        sheet.line(at(s, s / root), at(s, s), ink, 1.8);
+        sheet.line((s, s / root), (s, s), ink, 1.8);
     }
-    sheet.text(at(1.0, -0.1), "1", BLACK);
-    sheet.text_left_of(at(-0.04, 1.0), "1", BLACK);
-    sheet.text(at(0.5, -0.1), "s, in the picture", GREY);
-    sheet.text_right_of(at(0.05, 1.06), "t, on the floor", GREY);
-    sheet.text_right_of(at(1.1, 0.9), "r = 1.5", GREEN);
-    sheet.text_right_of(at(1.1, 0.75), "r = 3", BLUE);
-    sheet.text_right_of(at(1.1, 0.6), "r = 9", RED);
+    sheet.text((1.0, -0.1), "1", BLACK);
+    sheet.text_left_of((-0.04, 1.0), "1", BLACK);
+    sheet.text((0.5, -0.1), "s, in the picture", GREY);
+    sheet.text_right_of((0.05, 1.06), "t, on the floor", GREY);
+    sheet.text_right_of((1.1, 0.9), "r = 1.5", GREEN);
+    sheet.text_right_of((1.1, 0.75), "r = 3", BLUE);
+    sheet.text_right_of((1.1, 0.6), "r = 9", RED);
     sheet.finish()
 }
 
@@ -396,5 +377,5 @@ fn discard() -> anyhow::Result<Drawing> {
     }
     draw("gouraud", &scene, &mut right)?;
     draw("gouraud", &scene, &mut wrong)?;
-    beside(&[&right.image, &wrong.image])
+    beside([&right.image, &wrong.image])
 }

@@ -56,7 +56,8 @@ pub(crate) struct Sheet {
 
 impl Sheet {
     /// An empty sheet that shows what lies between two corners.
-    pub(crate) fn new(low: Vec2, high: Vec2) -> Self {
+    pub(crate) fn new(low: impl Into<Vec2>, high: impl Into<Vec2>) -> Self {
+        let (low, high) = (low.into(), high.into());
         let size = high - low;
         let scale = ((WIDTH - 2.0 * MARGIN) / size.x).min((HEIGHT - 2.0 * MARGIN) / size.y);
         // What is narrow stands in the middle.
@@ -80,8 +81,8 @@ impl Sheet {
     }
 
     /// Where on the sheet a point is, to a hundredth of a unit, so that files stay small.
-    fn at(&self, point: Vec2) -> (f32, f32) {
-        let at = (point - self.low) * self.scale;
+    fn at(&self, point: impl Into<Vec2>) -> (f32, f32) {
+        let at = (point.into() - self.low) * self.scale;
         let hundredth = |x: f32| (x * 100.0).round() / 100.0;
         (hundredth(MARGIN + at.x), hundredth(self.height - MARGIN - at.y))
     }
@@ -91,18 +92,18 @@ impl Sheet {
     }
 
     /// A line of a width in units of the sheet.
-    pub(crate) fn line(&mut self, from: Vec2, to: Vec2, ink: Ink, width: f32) {
+    pub(crate) fn line(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
         let line = self.segment(from, to, ink, width);
         self.add(line);
     }
 
     /// A dashed line.
-    pub(crate) fn dashed(&mut self, from: Vec2, to: Vec2, ink: Ink, width: f32) {
+    pub(crate) fn dashed(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
         let line = self.segment(from, to, ink, width).set("stroke-dasharray", "5 5");
         self.add(line);
     }
 
-    fn segment(&self, from: Vec2, to: Vec2, ink: Ink, width: f32) -> Line {
+    fn segment(&self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) -> Line {
         let ((x1, y1), (x2, y2)) = (self.at(from), self.at(to));
         Line::new()
             .set("x1", x1)
@@ -114,8 +115,9 @@ impl Sheet {
     }
 
     /// A vector: a line with a point at its end.
-    pub(crate) fn arrow(&mut self, from: Vec2, to: Vec2, ink: Ink) {
+    pub(crate) fn arrow(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink) {
         const HEAD: f32 = 11.0;
+        let (from, to) = (from.into(), to.into());
         let along = (to - from).normalize_or_zero() * HEAD / self.scale;
         let across = along.perp() * 0.42;
         self.line(from, to - along * 0.6, ink, 2.4);
@@ -134,9 +136,44 @@ impl Sheet {
         );
     }
 
+    /// A rectangle whose sides are level and upright, filled as [`polygon`](Self::polygon) is.
+    pub(crate) fn rectangle(&mut self, low: impl Into<Vec2>, high: impl Into<Vec2>, fill: Ink, outline: Ink) {
+        let (low, high) = (low.into(), high.into());
+        self.polygon(&[low, low.with_x(high.x), high, low.with_y(high.y)], fill, outline);
+    }
+
+    /// A box with words in it.
+    pub(crate) fn labelled(
+        &mut self,
+        center: impl Into<Vec2>,
+        half: impl Into<Vec2>,
+        fill: Ink,
+        words: &str,
+    ) {
+        let (center, half) = (center.into(), half.into());
+        self.rectangle(center - half, center + half, fill, BLACK);
+        self.text(center, words, BLACK);
+    }
+
+    /// Two axes through a place of the sheet, drawn from one corner about it to another.
+    pub(crate) fn axes(
+        &mut self,
+        origin: impl Into<Vec2>,
+        low: impl Into<Vec2>,
+        high: impl Into<Vec2>,
+        width: f32,
+    ) {
+        let (origin, low, high) = (origin.into(), low.into(), high.into());
+        self.line(origin + low.with_y(0.0), origin + high.with_y(0.0), GREY, width);
+        self.line(origin + low.with_x(0.0), origin + high.with_x(0.0), GREY, width);
+    }
+
     /// A line through points.
-    pub(crate) fn polyline(&mut self, points: &[Vec2], ink: Ink, width: f32) {
-        let points: Vec<String> = points.iter().map(|&point| pair(self.at(point))).collect();
+    pub(crate) fn polyline<P>(&mut self, points: impl IntoIterator<Item = P>, ink: Ink, width: f32)
+    where
+        P: Into<Vec2>,
+    {
+        let points: Vec<String> = points.into_iter().map(|point| pair(self.at(point))).collect();
         self.add(
             Polyline::new()
                 .set("points", points.join(" "))
@@ -147,7 +184,8 @@ impl Sheet {
     }
 
     /// The arc about a point from one angle to another, counterclockwise, in radians.
-    pub(crate) fn arc(&mut self, center: Vec2, radius: f32, from: f32, to: f32, ink: Ink) {
+    pub(crate) fn arc(&mut self, center: impl Into<Vec2>, radius: f32, from: f32, to: f32, ink: Ink) {
+        let center = center.into();
         let rim = |angle: f32| pair(self.at(center + radius * Vec2::from_angle(angle)));
         let (r, large) = (radius * self.scale, i32::from(to - from > std::f32::consts::PI));
         let d = format!("M {} A {r:.2} {r:.2} 0 {large} 0 {}", rim(from), rim(to));
@@ -155,7 +193,7 @@ impl Sheet {
     }
 
     /// A point.
-    pub(crate) fn dot(&mut self, at: Vec2, ink: Ink) {
+    pub(crate) fn dot(&mut self, at: impl Into<Vec2>, ink: Ink) {
         let (cx, cy) = self.at(at);
         self.add(
             Circle::new().set("cx", cx).set("cy", cy).set("r", 4.5).set("fill", ink).set("stroke", PAPER),
@@ -177,6 +215,11 @@ impl Sheet {
         );
     }
 
+    /// The squares of pixels of one colour.
+    pub(crate) fn pixels(&mut self, pixels: impl IntoIterator<Item = (i32, i32)>, fill: Ink) {
+        pixels.into_iter().for_each(|(x, y)| self.pixel(x, y, fill));
+    }
+
     /// The lines between pixels, from one corner to another.
     pub(crate) fn grid(&mut self, low: (i32, i32), high: (i32, i32)) {
         let point = |x: i32, y: i32| Vec2::new(x as f32, y as f32);
@@ -189,22 +232,22 @@ impl Sheet {
     }
 
     /// Words with their middle at a point.
-    pub(crate) fn text(&mut self, at: Vec2, words: &str, ink: Ink) {
+    pub(crate) fn text(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
         self.words(at, words, ink, "middle");
     }
 
     /// Words that begin at a point.
-    pub(crate) fn text_right_of(&mut self, at: Vec2, words: &str, ink: Ink) {
+    pub(crate) fn text_right_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
         self.words(at, words, ink, "start");
     }
 
     /// Words that end at a point.
-    pub(crate) fn text_left_of(&mut self, at: Vec2, words: &str, ink: Ink) {
+    pub(crate) fn text_left_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
         self.words(at, words, ink, "end");
     }
 
     /// Words with a rim of the ground's colour, so that they read on lines as well.
-    fn words(&mut self, at: Vec2, words: &str, ink: Ink, anchor: &str) {
+    fn words(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink, anchor: &str) {
         let (x, y) = self.at(at);
         self.add(
             Text::new(words)

@@ -9,6 +9,7 @@
 
 mod whole;
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::ops::Range;
@@ -19,7 +20,7 @@ use ::image::{DynamicImage, ImageFormat, ImageReader, ImageResult, Limits};
 
 pub use whole::write_whole;
 
-use crate::{Error, Image};
+use crate::{Error, Image, kind};
 
 /// The longest picture file that is read, and the most memory that its pixels take, in bytes.
 const FILE_LIMIT: u64 = 256 << 20;
@@ -50,10 +51,12 @@ pub enum Encoding {
 impl Encoding {
     /// The encoding that a file's name asks for: `.tga` (run-length encoded) or `.png`, in any case.
     fn of(path: &Path) -> Result<Self, Error> {
-        let ending = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
-        match ending.as_ref().and_then(|ending| ending.to_str()) {
+        let small = |part: Option<&OsStr>| Some(part?.to_str()?.to_ascii_lowercase());
+        let name = small(path.file_name());
+        match small(path.extension()).as_deref() {
             Some("tga") => Ok(Self::TgaRle),
             Some("png") => Ok(Self::Png),
+            _ if matches!(name.as_deref(), Some(".tga" | ".png")) => Err(Error::NoName { path: path.into() }),
             _ => Err(Error::Ending { path: path.into() }),
         }
     }
@@ -67,8 +70,14 @@ impl Image {
     /// One that names the file where it has another ending, cannot be read, is too large, or is no picture.
     pub fn read(path: &Path) -> Result<Self, Error> {
         let encoding = Encoding::of(path)?;
-        Self::decode(&read_bytes(path, FILE_LIMIT)?, encoding)
-            .map_err(|source| Error::Picture { path: path.into(), source })
+        let bytes = read_bytes(path, FILE_LIMIT)?;
+        Self::decode(&bytes, encoding).map_err(|source| {
+            let is_png = encoding == Encoding::Png && bytes.starts_with(kind::PNG);
+            match kind::told(&bytes).filter(|_| !is_png) {
+                Some(kind) => Error::Kind { path: path.into(), kind },
+                None => Error::Picture { path: path.into(), source },
+            }
+        })
     }
 
     /// The picture in the bytes of a file. Either TGA encoding reads both.

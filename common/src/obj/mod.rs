@@ -17,9 +17,9 @@ use crate::model::{Attributes, Materials, Model, Skipped};
 use crate::placement::Placement;
 use crate::{Error, file, kind};
 use polygon::{CORNER_LIMIT, Cutter};
-use words::{Words, line_number};
+use words::{line_number, shown};
 
-pub(crate) use words::shown;
+pub(crate) use words::Words;
 
 /// The longest file that is read, in bytes.
 const FILE_LIMIT: u64 = 256 << 20;
@@ -88,7 +88,7 @@ impl Model {
     /// # Errors
     /// One that names the file where it cannot be read, is too large, or holds no good face and no line.
     pub fn read(path: &std::path::Path, wanted: Attributes) -> Result<Self, Error> {
-        Self::read_placed(path, wanted, &Placement::AsItIs)
+        Self::read_placed(path, wanted, &Placement::default())
     }
 
     /// As [`read`](Self::read), somewhere else: coordinates are placed in f64, and only then become `f32`.
@@ -109,7 +109,7 @@ impl Model {
     /// # Errors
     /// A line that says why there is no good face.
     pub fn parse(text: &[u8], wanted: Attributes) -> Result<Self, String> {
-        Self::parse_placed(text, wanted, &Placement::AsItIs)
+        Self::parse_placed(text, wanted, &Placement::default())
     }
 
     /// As [`parse`](Self::parse), somewhere else; see [`read_placed`](Self::read_placed).
@@ -548,6 +548,10 @@ mod tests {
     const NONE: Attributes = Attributes { normals: false, uvs: false };
     const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\n";
 
+    fn fitted(up: Up) -> Placement {
+        Placement { fit: Some(up), ..Placement::default() }
+    }
+
     fn read(faces: &str, wanted: Attributes) -> Result<Model, String> {
         Model::parse(format!("{SQUARE}{faces}").as_bytes(), wanted)
     }
@@ -753,7 +757,7 @@ mod tests {
                 b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
                 "it is a pointer of Git LFS, which stands for the file: `git lfs pull` fetches it",
             ),
-            (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "it is a PNG picture"),
+            (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "it is a PNG picture, whose name ends in .png"),
             (b"\xff\xd8\xff\xe0\0\x10JFIF", "it is a JPEG picture: convert it to PNG"),
             (b"ply\nformat ascii 1.0\n", "it is a PLY model: export it as OBJ"),
         ] {
@@ -771,14 +775,16 @@ mod tests {
     fn coordinates_are_placed_before_they_are_rounded() {
         let text = "v 500000.37 4649776.81 212.4\nv 500001.37 4649776.81 212.4\nv 500001.37 4649777.81 213.4\nf 1 2 3";
         let corner = DVec3::new(500_000.37, 4_649_776.81, 212.4);
-        let near = Model::parse_placed(text.as_bytes(), NONE, &Placement::About(corner)).unwrap();
+        let near =
+            Model::parse_placed(text.as_bytes(), NONE, &Placement { origin: corner, ..Placement::default() })
+                .unwrap();
         for (got, expected) in near.positions().iter().zip([Vec3::ZERO, Vec3::X, Vec3::ONE]) {
             assert!((*got - expected).length() < 1e-8, "{got}");
         }
         let far = Model::parse(text.as_bytes(), NONE).unwrap();
         assert_eq!(far.positions()[0], corner.as_vec3());
         assert_eq!(far.reach(), 4_649_778.0);
-        let fitted = Model::parse_placed(text.as_bytes(), NONE, &Placement::Fit(Up::Y)).unwrap();
+        let fitted = Model::parse_placed(text.as_bytes(), NONE, &fitted(Up::Y)).unwrap();
         let half = 0.8f32.sqrt() / 3f32.sqrt();
         for (got, expected) in fitted.positions().iter().zip([[-1.0; 3], [1.0, -1.0, -1.0], [1.0; 3]]) {
             assert!((*got - half * Vec3::from(expected)).length() < 1e-7, "{got}");
@@ -791,7 +797,7 @@ mod tests {
         for scale in [1e-30, 1e-3, 1.0, 1e3, 1e30] {
             let text = format!("v {0} 0 0\nv 0 {0} 0\nv 0 0 {0}\nvn 0 0 1\nf 1//1 2//1 3//1", 2.0 * scale);
             for (up, top, normal) in [(Up::Y, Vec3::Y, Vec3::Z), (Up::Z, Vec3::NEG_Z, Vec3::Y)] {
-                let model = Model::parse_placed(text.as_bytes(), ALL, &Placement::Fit(up)).unwrap();
+                let model = Model::parse_placed(text.as_bytes(), ALL, &fitted(up)).unwrap();
                 let fit = *model.fit().unwrap();
                 let middle = model.positions().iter().sum::<Vec3>() / 3.0;
                 assert!((model.positions()[1] - middle).dot(top) > 0.5, "{scale} {up:?}");
@@ -801,7 +807,7 @@ mod tests {
                 assert!((fit.size / (2.0 * scale) - DVec3::ONE).length() < 1e-6, "{scale}");
             }
         }
-        let point = Model::parse_placed(b"v 7 8 9\nf 1 1 1", NONE, &Placement::Fit(Up::Y)).unwrap();
+        let point = Model::parse_placed(b"v 7 8 9\nf 1 1 1", NONE, &fitted(Up::Y)).unwrap();
         assert_eq!(point.positions(), [Vec3::ZERO]);
     }
 

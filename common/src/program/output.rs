@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 
-use super::{Extras, Program, Shared};
+use super::{Extras, Program, Shared, UsageError};
 use crate::compare::{Difference, side_by_side};
+use crate::printable::shown;
 use crate::terminal::{Progress, eprintln, print};
 use crate::{Format, Image, preview};
 
@@ -42,6 +43,13 @@ impl Output {
         let mut picture = self.canvas(program);
         let extras = draw(program, method, &mut picture)?;
         if let Some((path, depth)) = extras.depth {
+            if self.paths(&self.name)?.iter().any(|other| is_same(&path, other)) {
+                let path = shown(&path);
+                return Err(UsageError(format!(
+                    "--depth {path}: the picture itself goes there: name another file"
+                ))
+                .into());
+            }
             depth.write(&path)?;
         }
         self.deliver(&picture, &self.name)
@@ -105,7 +113,7 @@ impl Output {
         if let Some(text) = preview::for_terminal(picture).filter(|_| !self.shared.quiet) {
             print(&text)?;
         }
-        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+        let names: Vec<String> = paths.iter().map(|path| shown(path).to_string()).collect();
         print(&format!("{} ({}x{})\n", names.join(", "), picture.width(), picture.height()))
     }
 
@@ -114,7 +122,8 @@ impl Output {
         if let Some(path) = self.file() {
             return Ok(vec![path.to_path_buf()]);
         }
-        std::fs::create_dir_all("out").context("cannot create the folder out/")?;
+        let reason = if Path::new("out").is_file() { ": there is a file of that name" } else { "" };
+        std::fs::create_dir_all("out").with_context(|| format!("cannot create the folder out/{reason}"))?;
         Ok(["tga", "png"].map(|ending| Path::new("out").join(name).with_extension(ending)).to_vec())
     }
 }
@@ -132,7 +141,17 @@ fn draw<P: Program>(program: &mut P, method: &P::Method, picture: &mut Image) ->
 
 /// The name of picture `number` of a series: `a.png` becomes `a-000.png`.
 fn numbered(path: &Path, number: u16) -> PathBuf {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-    path.with_file_name(format!("{stem}-{number:03}.{ending}"))
+    let mut name = path.file_stem().unwrap_or_default().to_os_string();
+    name.push(format!("-{number:03}."));
+    name.push(path.extension().unwrap_or_default());
+    path.with_file_name(name)
+}
+
+/// Whether two names are those of one file, there or not.
+fn is_same(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Some((folder.canonicalize().ok()?, path.file_name()?.to_os_string()))
+    };
+    a == b || place(a).is_some_and(|a| place(b) == Some(a))
 }

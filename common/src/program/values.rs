@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use glam::{DVec3, Vec3};
 
+use crate::direction::unit;
 use crate::{Color, file};
 
 /// Width and height of a picture that can be read again, as in `800x600`.
@@ -48,25 +49,22 @@ pub fn numbers_and_color<T: FromStr, const N: usize>(text: &str) -> Result<([T; 
     Ok((numbers_of(before)?, Some(color.parse()?)))
 }
 
-/// A point, or a vector of any length.
+/// A point, or a vector of any length: numbers that are finite as `f32`, as exact as they were typed.
 ///
 /// # Errors
 /// Where these are not three finite numbers.
-pub fn point(text: &str) -> Result<Vec3, String> {
-    let point = Vec3::from_array(numbers(text)?);
+pub fn point(text: &str) -> Result<DVec3, String> {
+    let point = DVec3::from_array(numbers(text)?);
     let refused = || "write 3 finite numbers with commas between them".into();
-    point.is_finite().then_some(point).ok_or_else(refused)
+    point.as_vec3().is_finite().then_some(point).ok_or_else(refused)
 }
 
-/// A direction, made 1 long in f64, where no f32 over- or underflows when squared.
+/// A direction, made 1 long however long it was.
 ///
 /// # Errors
 /// Where these are not three finite numbers, or all of them are 0.
 pub fn direction(text: &str) -> Result<Vec3, String> {
-    let [x, y, z]: [f32; 3] = numbers(text)?;
-    DVec3::new(x.into(), y.into(), z.into())
-        .try_normalize()
-        .map(DVec3::as_vec3)
+    unit(Vec3::from_array(numbers(text)?))
         .ok_or_else(|| "a direction needs three finite numbers, not all 0".into())
 }
 
@@ -128,7 +126,7 @@ mod tests {
 
     #[test]
     fn a_point_is_finite() {
-        assert_eq!(point("-1,2e3,0.5"), Ok(Vec3::new(-1.0, 2000.0, 0.5)));
+        assert_eq!(point("-1,2e3,0.5"), Ok(DVec3::new(-1.0, 2000.0, 0.5)));
         for text in ["1,inf,0", "nan,0,0", "0,0,1e39"] {
             assert!(point(text).unwrap_err().contains("write 3 finite numbers"), "{text}");
         }
@@ -136,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_direction_becomes_a_unit_vector_however_long_it_was() {
-        for scale in ["1e-38", "1", "1e38"] {
+        for scale in ["1e-45", "1e-38", "1", "1e20", "1e38"] {
             let long = direction(&format!("{scale},0,{scale}")).unwrap();
             assert!((long - Vec3::new(0.5, 0.0, 0.5).normalize()).length() < 1e-6, "{scale}");
         }

@@ -47,7 +47,7 @@ struct Flags {
     model: ModelFlag,
 
     /// A triangle instead of the lesson's three, in pixels; may be repeated
-    #[arg(long, value_name = "x0,y0,x1,y1,x2,y2[,rrggbb]", value_parser = flat, allow_hyphen_values = true)]
+    #[arg(long, value_name = "x0,y0,x1,y1,x2,y2[,rrggbb]", value_parser = flat, allow_hyphen_values = true, conflicts_with = "model")]
     triangle: Vec<Flat>,
 
     /// How the model's triangles are coloured

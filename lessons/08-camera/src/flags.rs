@@ -1,7 +1,8 @@
 //! Flags of the programs that look at a point, this lesson's and later ones.
 
-use common::Vec3;
+use common::direction::length;
 use common::program::{UsageError, values};
+use common::{DVec3, Vec3};
 
 use crate::turntable::turned;
 
@@ -10,38 +11,55 @@ use crate::turntable::turned;
 pub struct ViewFlags {
     /// Where the eye is
     #[arg(long, value_name = "x,y,z", default_value = "1,1,2", value_parser = values::point, allow_hyphen_values = true)]
-    pub eye: Vec3,
+    pub eye: DVec3,
 
     /// The point it looks at, which becomes the middle of the picture
     #[arg(long, value_name = "x,y,z", default_value = "0,0,0", value_parser = values::point, allow_hyphen_values = true)]
-    pub center: Vec3,
+    pub center: DVec3,
 
     /// The direction that is up in the picture
     #[arg(long, value_name = "x,y,z", default_value = "0,1,0", value_parser = values::point, allow_hyphen_values = true)]
-    pub up: Vec3,
+    pub up: DVec3,
 }
 
 impl ViewFlags {
-    /// The view, by one of the lesson's methods or functions.
+    /// The point about which the model is read and seen: the world's origin, or the centre where that is farther
+    /// than 1024 from it, as places on maps are. From there on what is left of `f32`'s digits would show: about
+    /// 1/20 px of a picture that is 2 wide. (Seen about the centre, `listing` is right.)
+    #[must_use]
+    pub fn origin(&self) -> DVec3 {
+        if self.center.length() > 1024.0 { self.center } else { DVec3::ZERO }
+    }
+
+    /// Eye and centre, from the [`origin`](Self::origin).
+    fn ends(&self) -> [Vec3; 2] {
+        [self.eye, self.center].map(|end| (end - self.origin()).as_vec3())
+    }
+
+    /// The view about the [`origin`](Self::origin), by one of the lesson's methods or functions.
     ///
     /// # Errors
     /// Where there is no direction from the eye to the centre.
     pub fn look<V>(&self, look: fn(Vec3, Vec3, Vec3) -> Option<V>) -> Result<V, UsageError> {
         let one_point = || UsageError("--eye and --center are one point: move one of them".into());
-        look(self.eye, self.center, self.up).ok_or_else(one_point)
+        let [eye, center] = self.ends();
+        look(eye, center, self.up.as_vec3()).ok_or_else(one_point)
     }
 
     /// The same at stop `n` of so many on a full turn, to the right, about the centre.
     #[must_use]
     pub fn turned(&self, n: u16, stops: u16) -> Self {
         let share = f32::from(n) / f32::from(stops);
-        Self { eye: turned(self.eye, self.center, self.up, share), ..*self }
+        let [eye, center] = self.ends();
+        let eye = turned(eye, center, self.up.as_vec3(), share);
+        Self { eye: self.origin() + eye.as_dvec3(), ..*self }
     }
 
     /// From the eye to the centre.
     #[must_use]
     pub fn distance(&self) -> f32 {
-        self.eye.distance(self.center)
+        let [eye, center] = self.ends();
+        length(eye - center)
     }
 }
 

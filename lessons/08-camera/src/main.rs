@@ -41,7 +41,8 @@ impl Program for Camera {
     const DEFAULT: &str = "lookat";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
-        let (model, texture) = flags.model.read(Attributes { normals: true, uvs: true })?;
+        let (model, texture) =
+            flags.model.read_about(flags.view.origin(), Attributes { normals: true, uvs: true })?;
         Ok(Self { normals: corner_normals(&model), model, texture, flags })
     }
 

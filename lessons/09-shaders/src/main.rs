@@ -66,10 +66,10 @@ impl Program for Shaders {
             uvs: shaders.iter().any(|shader| shader.needs.uvs),
         };
         let (model, texture) = if needs.uvs {
-            let (model, texture) = flags.model.read(needs)?;
+            let (model, texture) = flags.model.read_about(flags.view.origin(), needs)?;
             (model, Some(texture))
         } else {
-            (flags.model.read_untextured(needs)?, None)
+            (flags.model.read_untextured(flags.view.origin(), needs)?, None)
         };
         let normals = if needs.normals { corner_normals(&model) } else { Vec::new() };
         Ok(Self { shaders, model, normals, texture, flags })

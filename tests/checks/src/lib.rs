@@ -16,12 +16,9 @@
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
 //! compared by `common`, as under `--compare`.
-//!
-//! [`missions`] is apart: what students write, compared with what the lessons do.
 
 pub mod coverage;
 pub mod matrix;
-pub mod missions;
 pub mod picture;
 pub mod render;
 pub mod segment;

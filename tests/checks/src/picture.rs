@@ -70,7 +70,8 @@ pub fn faults(expected: &Image, got: &Image, tolerance: u8) -> Vec<Fault> {
 }
 
 /// The largest difference of a channel.
-pub(crate) fn distance(a: Color, b: Color) -> u8 {
+#[must_use]
+pub fn distance(a: Color, b: Color) -> u8 {
     a.r.abs_diff(b.r).max(a.g.abs_diff(b.g)).max(a.b.abs_diff(b.b)).max(a.a.abs_diff(b.a))
 }
 

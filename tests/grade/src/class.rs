@@ -2,20 +2,19 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail, ensure};
-use checks::missions::{KEYS, LESSONS, Sheet};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::compile::{Compiled, compile};
+use crate::judge::{self, Asked};
 use crate::kit::{self, Kit};
 use crate::proof::{self, Wall};
 use crate::report::{self, Time};
-use crate::results::{Check, Class, Graded, Lesson, Outcome, Work};
+use crate::results::{Class, Graded, Lesson, Outcome, Work};
 use crate::submission::{self, Source, Submission};
 use crate::{file, run};
 
@@ -30,7 +29,7 @@ pub(crate) struct Options {
     /// What the inputs are made from.
     pub(crate) seed: u64,
     /// Which lessons.
-    pub(crate) lessons: Vec<&'static str>,
+    pub(crate) lessons: Vec<String>,
     /// Which part of the class, of how many: 1 of 1 is all of it.
     pub(crate) shard: (usize, usize),
     /// How many submissions at a time.
@@ -59,7 +58,8 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<()> {
     let (graded, scratch) = (work.join("graded"), work.join("scratch"));
     let _lock = begin(&work, &scratch)?;
     let kits = build(options, &scratch)?;
-    let sheets: Vec<Vec<Sheet>> = options.lessons.iter().map(|lesson| sheets(lesson, options.seed)).collect();
+    let asked: Vec<Vec<Asked>> =
+        kits.iter().map(|kit| judge::checks(kit, options.seed)).collect::<Result<_, _>>()?;
 
     let handed_in = collect(&submissions, &kits, options);
     let mut texts: BTreeMap<&str, &HandedIn> = BTreeMap::new();
@@ -73,12 +73,12 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<()> {
     each(open, options.jobs, |one| {
         let Source::Text(text) = &one.source else { return Ok(()) };
         let folder = scratch.join(&one.key);
-        let result = grade_one(&kits[one.lesson], &sheets[one.lesson], text, &folder, options)?;
+        let result = grade_one(&kits[one.lesson], &asked[one.lesson], text, &folder, options)?;
         result.write(&graded, &one.key)?;
         Ok(std::fs::remove_dir_all(folder)?)
     })?;
 
-    let (class, times) = gather(handed_in, &graded, options, walls, &sheets)?;
+    let (class, times) = gather(handed_in, &graded, options, walls, asked)?;
     report::write(&class, times, &options.report)?;
     std::fs::remove_dir_all(&scratch)?;
     println!(
@@ -122,15 +122,9 @@ fn build(options: &Options, scratch: &Path) -> anyhow::Result<Vec<Kit>> {
     Ok(kits)
 }
 
-/// What is expected in a lesson.
-fn sheets(lesson: &str, seed: u64) -> Vec<Sheet> {
-    let key = LESSONS.iter().zip(KEYS).find(|(name, _)| **name == lesson);
-    key.map(|(_, key)| key(seed)).unwrap_or_default()
-}
-
 fn collect<'a>(submissions: &'a [Submission], kits: &[Kit], options: &Options) -> Vec<HandedIn<'a>> {
     let one = |submission: &'a Submission, lesson: usize| {
-        let source = submission.source(kits[lesson].lesson);
+        let source = submission.source(&kits[lesson].lesson);
         let key = match &source {
             Source::Text(text) => {
                 let how = format!("{} {}", options.seed, options.closed);
@@ -176,7 +170,7 @@ fn each<'a>(
 
 fn grade_one(
     kit: &Kit,
-    sheets: &[Sheet],
+    asked: &[Asked],
     text: &[u8],
     folder: &Path,
     options: &Options,
@@ -187,10 +181,10 @@ fn grade_one(
     let outcome = match compiled {
         Compiled::Not(said) => Outcome::NotCompiled(said),
         Compiled::Program(program) => {
-            let judge = || run::judge(kit, &program, sheets, options.seed, folder, options.closed);
+            let (answers, printed) = run::run(kit, &program, asked, options.seed, folder, options.closed)?;
             // Nobody knows all the results that a hostile program can send. One of them must not end the class.
-            match catch_unwind(AssertUnwindSafe(judge)) {
-                Ok(judged) => judged.map(|(checks, printed)| Outcome::Ran { checks, printed })?,
+            match judge::mark(kit, asked, &answers, options.seed, folder) {
+                Ok(checks) => Outcome::Ran { checks, printed },
                 Err(_) => Outcome::Refused("its results cannot be judged".into()),
             }
         }
@@ -204,15 +198,13 @@ fn gather(
     graded: &Path,
     options: &Options,
     walls: Vec<Wall>,
-    sheets: &[Vec<Sheet>],
+    asked: Vec<Vec<Asked>>,
 ) -> anyhow::Result<(Class, Vec<Time>)> {
-    let check =
-        |sheet: &Sheet| Check { name: sheet.name.into(), asks: sheet.asks.into(), points: sheet.points };
-    let lesson = |(name, sheets): (&&str, &Vec<Sheet>)| Lesson {
-        name: (*name).into(),
-        checks: sheets.iter().map(check).collect(),
+    let lesson = |(name, asked): (&String, Vec<Asked>)| Lesson {
+        name: name.clone(),
+        checks: asked.into_iter().map(|asked| asked.check).collect(),
     };
-    let lessons = options.lessons.iter().zip(sheets).map(lesson).collect();
+    let lessons = options.lessons.iter().zip(asked).map(lesson).collect();
     let mut class = Class { seed: options.seed, lessons, walls, submissions: BTreeMap::new() };
     let mut times = Vec::new();
     for HandedIn { submission, lesson, source, key } in handed_in {
@@ -222,7 +214,7 @@ fn gather(
             Source::Text(text) => {
                 let result = Graded::read(graded, &key).context("a result is gone")?;
                 let (compiling, running) = (result.compiling, result.running);
-                let lesson = options.lessons[lesson].to_string();
+                let lesson = options.lessons[lesson].clone();
                 times.push(Time { submission: submission.name.clone(), lesson, compiling, running });
                 (file::digest([text.as_slice()]), result.outcome)
             }

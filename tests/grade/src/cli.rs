@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::Context;
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::class::{self, Options};
 use crate::walls::{NOT_BUILT, Walls};
@@ -33,9 +34,9 @@ enum Command {
         /// What the inputs are made from; students see those of seed 1.
         #[arg(long, default_value_t = 2)]
         seed: u64,
-        /// Which lessons, as in 1-3,7.
-        #[arg(long, default_value = "1-9", value_parser = lessons)]
-        lessons: Lessons,
+        /// Which lessons, as in 1-3,7; all of them if not given.
+        #[arg(long)]
+        lessons: Option<String>,
         /// Only the i-th of n parts of the class.
         #[arg(long, value_name = "i/n", default_value = "1/1", value_parser = shard)]
         shard: (usize, usize),
@@ -73,13 +74,6 @@ enum Command {
     Exhaust { what: String },
 }
 
-#[derive(Clone)]
-struct Lessons(Vec<&'static str>);
-
-fn lessons(list: &str) -> Result<Lessons, String> {
-    kit::lessons(list).map(Lessons)
-}
-
 fn shard(text: &str) -> Result<(usize, usize), String> {
     let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
     numbers.filter(|(i, n)| (1..=*n).contains(i)).ok_or_else(|| "not i/n with 1 ≤ i ≤ n".into())
@@ -103,7 +97,12 @@ fn run(command: Command) -> anyhow::Result<()> {
                 course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
             let jobs =
                 jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
-            let (lessons, closed) = (lessons.0, !unsafe_no_sandbox);
+            let all =
+                tasks::lessons(&course).with_context(|| format!("{} is not the course", course.display()))?;
+            let lessons = lessons.map_or(Ok(all.clone()), |list| kit::lessons(&list, &all));
+            let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("--lessons: {why}"));
+            let lessons = lessons.unwrap_or_else(|why| wrong(why).exit());
+            let closed = !unsafe_no_sandbox;
             class::grade(&Options { class: dir, report: out, course, seed, lessons, shard, jobs, closed })
         }
         Command::Merge { parts, out } => merge::merge(&parts, &out),

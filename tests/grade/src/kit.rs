@@ -3,9 +3,10 @@
 //!
 //! Cargo builds the mission as it stands in the course, once. From what it built, two folders are put
 //! together. The compiler that reads a student's text is shown `reads`: `common` and the crates of earlier
-//! lessons, not the checks, and no source at all. Where a mission is given parts of the lesson's own crate
+//! lessons, not the tasks, and no source at all. Where a mission is given parts of the lesson's own crate
 //! (types, mostly), a façade of that name stands in its place and has those parts alone, so that what is asked
-//! for has no name there. The linker is shown `links`, with the checks that hand out the tasks.
+//! for has no name there. The linker is shown `links`, with the tasks. What is expected is known to
+//! the lesson's judge alone, a program that Cargo builds as well.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -13,7 +14,6 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, bail, ensure};
 use cargo_metadata::{Artifact, CrateType, Message, Metadata, MetadataCommand, PackageId, TargetKind};
-use checks::missions::LESSONS;
 
 use crate::file;
 
@@ -23,7 +23,7 @@ const FACADE: &str = "-facade.rlib";
 /// Everything but the student's text.
 pub(crate) struct Kit {
     /// As in `01-lines`.
-    pub(crate) lesson: &'static str,
+    pub(crate) lesson: String,
     /// The name of the student's crate, as in `my_lines`.
     pub(crate) krate: String,
     /// The mission's `main.rs`.
@@ -42,6 +42,8 @@ pub(crate) struct Kit {
     pub(crate) rustc: PathBuf,
     /// Its folder.
     pub(crate) sysroot: PathBuf,
+    /// The program that knows what is expected.
+    pub(crate) judge: PathBuf,
     /// Models and textures.
     pub(crate) assets: PathBuf,
     /// Tells this kit, and this program, from others.
@@ -49,7 +51,7 @@ pub(crate) struct Kit {
 }
 
 /// Builds what the lessons need, below a folder.
-pub(crate) fn build(course: &Path, lessons: &[&'static str], folder: &Path) -> anyhow::Result<Vec<Kit>> {
+pub(crate) fn build(course: &Path, lessons: &[String], folder: &Path) -> anyhow::Result<Vec<Kit>> {
     let metadata = MetadataCommand::new().current_dir(course).other_options(["--locked".into()]).exec();
     let metadata = metadata.with_context(|| format!("{} is not the course", course.display()))?;
     let artifacts = compile(course, lessons)?;
@@ -58,8 +60,9 @@ pub(crate) fn build(course: &Path, lessons: &[&'static str], folder: &Path) -> a
     lessons.iter().map(|lesson| toolchain.kit(course, lesson, &folder.join(lesson))).collect()
 }
 
-/// Has Cargo build the missions, and returns what it built of each package.
-fn compile(course: &Path, lessons: &[&str]) -> anyhow::Result<BTreeMap<PackageId, Artifact>> {
+/// Has Cargo build the missions and their judges, and returns what it built of each package: its library, or else
+/// its program.
+fn compile(course: &Path, lessons: &[String]) -> anyhow::Result<BTreeMap<PackageId, Artifact>> {
     let mut cargo = Command::new("cargo");
     cargo.current_dir(course).args([
         "build",
@@ -68,7 +71,7 @@ fn compile(course: &Path, lessons: &[&str]) -> anyhow::Result<BTreeMap<PackageId
         "--message-format=json-render-diagnostics",
     ]);
     lessons.iter().for_each(|lesson| {
-        cargo.args(["--package", &package(lesson)]);
+        cargo.args(["--package", &package(lesson), "--package", &tests(lesson)]);
     });
     let mut cargo =
         cargo.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
@@ -76,9 +79,17 @@ fn compile(course: &Path, lessons: &[&str]) -> anyhow::Result<BTreeMap<PackageId
     let mut artifacts = BTreeMap::new();
     for message in Message::parse_stream(output) {
         if let Message::CompilerArtifact(artifact) = message?
-            && artifact.target.kind.iter().any(|kind| matches!(kind, TargetKind::Lib | TargetKind::ProcMacro))
+            && let Some(kind) = artifact.target.kind.first()
         {
-            artifacts.insert(artifact.package_id.clone(), artifact);
+            match kind {
+                TargetKind::Lib | TargetKind::ProcMacro => {
+                    artifacts.insert(artifact.package_id.clone(), artifact);
+                }
+                TargetKind::Bin => {
+                    artifacts.entry(artifact.package_id.clone()).or_insert(artifact);
+                }
+                _ => (),
+            }
         }
     }
     ensure!(cargo.wait()?.success(), "the course's missions cannot be built");
@@ -92,17 +103,21 @@ struct Toolchain {
 }
 
 impl Toolchain {
-    fn kit(&self, course: &Path, lesson: &'static str, folder: &Path) -> anyhow::Result<Kit> {
+    fn kit(&self, course: &Path, lesson: &str, folder: &Path) -> anyhow::Result<Kit> {
         let mission = course.join("lessons").join(lesson).join("mission/src");
         let [reads, links] = ["reads", "links"].map(|name| folder.join(name));
         let of_mission = self.package(&package(lesson))?;
         let direct = self.dependencies(&of_mission);
-        let (checks, given): (Vec<_>, Vec<_>) = direct.iter().partition(|(name, _)| name == "checks");
+        let own_tasks = format!("{}_tasks", tasks::name(lesson));
+        let (tasks, given): (Vec<_>, Vec<_>) = direct.iter().partition(|(name, _)| *name == own_tasks);
         self.gather(given.iter().map(|(_, id)| id), &reads)?;
-        self.gather(checks.iter().chain(&given).map(|(_, id)| id), &links)?;
+        self.gather(tasks.iter().chain(&given).map(|(_, id)| id), &links)?;
 
+        let judge = self.artifacts.get(&self.package(&tests(lesson))?);
+        let judge =
+            judge.and_then(|artifact| artifact.executable.as_ref()).context("the judge was not built")?;
         let mut kit = Kit {
-            lesson,
+            lesson: lesson.into(),
             krate: package(lesson).replace('-', "_"),
             main: mission.join("main.rs"),
             lib: self.externs(given, &reads)?,
@@ -110,6 +125,7 @@ impl Toolchain {
             flags: self.flags(&of_mission)?,
             rustc: self.sysroot.join("bin/rustc"),
             sysroot: self.sysroot.clone(),
+            judge: judge.into(),
             assets: course.join("assets"),
             digest: String::new(),
             reads,
@@ -181,7 +197,7 @@ impl Toolchain {
 impl Kit {
     /// Puts a façade in the place of the lesson's own crate, if the mission is given parts of it.
     fn hide_reference(&mut self, starter: &Path) -> anyhow::Result<()> {
-        let own = self.lesson.split_once('-').map_or(self.lesson, |(_, name)| name);
+        let own = tasks::name(&self.lesson).to_string();
         let Some(place) = self.lib.iter().position(|named| named.starts_with(&format!("{own}="))) else {
             return Ok(());
         };
@@ -189,10 +205,10 @@ impl Kit {
         let text =
             std::fs::read_to_string(starter).with_context(|| format!("cannot read {}", starter.display()))?;
         let source = self.reads.with_file_name("facade.rs");
-        file::write(&source, facade(&text, own)?.as_bytes())?;
+        file::write(&source, facade(&text, &own)?.as_bytes())?;
         let name = format!("lib{own}{FACADE}");
         let mut rustc = Command::new(&self.rustc);
-        rustc.args(&self.flags).args(["--crate-type=rlib", "-Cmetadata=facade", "--crate-name", own]);
+        rustc.args(&self.flags).args(["--crate-type=rlib", "-Cmetadata=facade", "--crate-name", &own]);
         rustc.arg(format!("--extern=reference={real}")).arg("-L").arg(dependencies(&self.reads));
         run(rustc.arg("-o").arg(self.reads.join(&name)).arg(source))?;
         link(&self.reads.join(&name), &self.links)?;
@@ -204,7 +220,8 @@ impl Kit {
     /// what has changed.
     fn stamp(&self, starter: &Path) -> anyhow::Result<String> {
         let grader = std::env::current_exe().context("cannot find the grader itself")?;
-        let mut files = vec![grader, self.main.clone(), self.rustc.clone(), starter.to_path_buf()];
+        let mut files =
+            vec![grader, self.main.clone(), self.judge.clone(), self.rustc.clone(), starter.to_path_buf()];
         for entry in std::fs::read_dir(&self.links)? {
             files.push(entry?.path());
         }
@@ -227,7 +244,11 @@ pub(crate) fn dependencies(folder: &Path) -> String {
 }
 
 fn package(lesson: &str) -> String {
-    format!("my-{}", lesson.split_once('-').map_or(lesson, |(_, name)| name))
+    format!("my-{}", tasks::name(lesson))
+}
+
+fn tests(lesson: &str) -> String {
+    format!("{}-tests", tasks::name(lesson))
 }
 
 /// What of a package others are compiled against.
@@ -299,18 +320,22 @@ impl Given {
 }
 
 /// Runs a program of ours to its end, and returns what it printed.
-fn run(command: &mut Command) -> anyhow::Result<String> {
+pub(crate) fn run(command: &mut Command) -> anyhow::Result<String> {
     let output =
         command.output().with_context(|| format!("cannot start {}", command.get_program().display()))?;
     ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim());
     String::from_utf8(output.stdout).context("what it printed is not UTF-8")
 }
 
-/// The lessons that a list such as `1-3,7` names.
-pub(crate) fn lessons(list: &str) -> Result<Vec<&'static str>, String> {
+/// Those of all lessons that a list such as `1-3,7` names by number.
+pub(crate) fn lessons(list: &str, all: &[String]) -> Result<Vec<String>, String> {
+    let numbered = |lesson: &String| lesson.split_once('-').and_then(|(number, _)| number.parse().ok());
+    let numbers: BTreeMap<usize, &String> =
+        all.iter().filter_map(|lesson| Some((numbered(lesson)?, lesson))).collect();
+    let last = numbers.last_key_value().map_or(0, |(number, _)| *number);
     let number = |text: &str| match text.trim().parse::<usize>() {
-        Ok(number) if (1..=LESSONS.len()).contains(&number) => Ok(number),
-        _ => Err(format!("`{text}` is not a lesson's number, 1 to {}", LESSONS.len())),
+        Ok(number) if numbers.contains_key(&number) => Ok(number),
+        _ => Err(format!("`{text}` is not a lesson's number, 1 to {last}")),
     };
     let mut chosen = BTreeSet::new();
     for part in list.split(',') {
@@ -320,7 +345,7 @@ pub(crate) fn lessons(list: &str) -> Result<Vec<&'static str>, String> {
     if chosen.is_empty() {
         return Err("it names no lesson".into());
     }
-    Ok(chosen.into_iter().map(|number| LESSONS[number - 1]).collect())
+    Ok(chosen.iter().filter_map(|number| numbers.get(number).copied().cloned()).collect())
 }
 
 #[cfg(test)]
@@ -329,9 +354,11 @@ mod tests {
 
     #[test]
     fn lists_of_lessons() {
-        assert_eq!(lessons("3,1-2,2").unwrap(), ["01-lines", "02-wireframe", "03-triangles"]);
-        for wrong in ["", "0", "10", "1-", "a", "3-2", "1,,2"] {
-            assert!(lessons(wrong).is_err(), "{wrong}");
+        let all = ["01-a", "02-b-c", "03-d", "10-e"].map(String::from);
+        assert_eq!(lessons("3,1-2,2", &all).unwrap(), ["01-a", "02-b-c", "03-d"]);
+        assert_eq!(lessons("10", &all).unwrap(), ["10-e"]);
+        for wrong in ["", "0", "11", "1-", "a", "3-2", "1,,2"] {
+            assert!(lessons(wrong, &all).is_err(), "{wrong}");
         }
     }
 

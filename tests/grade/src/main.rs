@@ -1,13 +1,14 @@
 //! Grades a class: `cargo run --release -p grade -- class DIR --out REPORT`.
 //!
-//! What students wrote is compiled and run behind [`walls`]; it returns raw results only. This process alone
-//! knows what is expected, and judges.
+//! What students wrote is compiled and run behind [`walls`]; it returns raw results only. The lessons' judges, which
+//! run before the walls, know what is expected, and compare.
 //!
 //! ```text
 //! submission   finds what was handed in, and reads it without following a link
 //! kit          what a submission to a lesson is built with, made once
 //! compile      rustc and the linker behind walls
-//! run          the program behind walls, judged
+//! run          the program behind walls
+//! judge        what the lesson's judge says of its answers
 //! class        all submissions, the same ones once; resumes where it was stopped
 //! results      what is kept of each, and the marks
 //! merge        several reports into one
@@ -23,6 +24,8 @@ mod cli;
 mod compile;
 #[cfg(target_os = "linux")]
 mod file;
+#[cfg(target_os = "linux")]
+mod judge;
 #[cfg(target_os = "linux")]
 mod kit;
 #[cfg(target_os = "linux")]

@@ -96,7 +96,7 @@ pub(crate) struct Wrong {
 }
 
 /// Three pictures, as PNG in base 64.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Pictures {
     /// What went in.
     pub(crate) input: String,

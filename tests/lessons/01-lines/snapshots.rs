@@ -45,3 +45,10 @@ fn every_method_draws_the_slides_picture() {
 fn a_comparison_shows_what_is_missing_and_what_is_extra() {
     assert_picture(&LESSON, "compare", &draw("lines", &["--compare", "bresenham,listing"]), 0);
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("lines", &["--size", "200x200"]);
+    assert_picture(&LESSON, "default", &picture, 0);
+}

@@ -23,3 +23,10 @@ fn every_method_draws_the_head() {
         assert_picture(&LESSON, method.name, &picture, 0);
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("wireframe", &["--size", "200x200"]);
+    assert_picture(&LESSON, "default", &picture, 0);
+}

@@ -1,6 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use common::{Attributes, Color, Format, IVec2, Image, Model, Vec3};
+use verify::SPHERE;
 use wireframe::{METHODS, to_pixel};
 
 type Case = (&'static str, &'static str, Result<(usize, usize, usize), &'static str>);
@@ -26,7 +27,7 @@ const TABLE: &[Case] = &[
         "nothing good",
         "v nan 0 0\nf 1 1 1",
         Err(
-            "none of its 1 faces can be used; the first, line 2: corner `1`: vertex 1 is not made of finite numbers",
+            "none of its 1 faces can be used; the first, line 2: corner `1`: vertex 1, in line 1: `nan` is not finite",
         ),
     ),
     ("nothing at all", "", Err("there is no face in it; is it an OBJ file?")),
@@ -73,8 +74,7 @@ fn the_border_belongs_to_the_last_column() {
 /// A closed surface has 3/2 edges a triangle.
 #[test]
 fn on_the_sphere_only_unique_edges_draws_each_edge_once() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/sphere.obj");
-    let model = Model::read(path.as_ref(), Attributes::default()).unwrap();
+    let model = Model::read(SPHERE.as_ref(), Attributes::default()).unwrap();
     assert_eq!(model.faces().len(), 5000);
     for (method, times) in METHODS.iter().zip([2, 1]) {
         let mut drawn: BTreeMap<BTreeSet<u32>, usize> = BTreeMap::new();

@@ -41,3 +41,10 @@ fn every_method_draws_the_head_both_ways() {
         }
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("triangles", &["--size", "200x200"]);
+    assert_picture(&LESSON, "default", &picture, 0);
+}

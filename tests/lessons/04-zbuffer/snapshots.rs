@@ -52,3 +52,10 @@ fn every_depth_buffer_is_a_picture() {
         assert_picture(&LESSON, &format!("depth-{}", method.name), &Image::read(&depth).unwrap(), 0);
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("zbuffer", &["--size", "200x200"]);
+    assert_picture(&LESSON, "default", &picture, 0);
+}

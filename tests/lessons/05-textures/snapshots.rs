@@ -28,3 +28,10 @@ fn every_method_draws_the_sphere() {
         assert_picture(&LESSON, method.name, &draw("textures", &arguments), 0);
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("textures", &["--size", "200x200"]);
+    assert_picture(&LESSON, "default", &picture, 0);
+}

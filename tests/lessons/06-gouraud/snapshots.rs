@@ -27,3 +27,10 @@ fn every_method_draws_the_sphere() {
         assert_picture(&LESSON, method.name, &picture, 0);
     }
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("gouraud", &["--size", "200x200"]);
+    assert_picture(&LESSON, "default", &picture, 0);
+}

@@ -3,19 +3,7 @@ use transforms::inverse::INVERSES;
 use transforms::rotation::ROTATIONS;
 use transforms::{LESSON, METHODS, place, scale, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_similar, assert_text, draw};
-
-/// The letter F in triangles, about the origin.
-pub(crate) fn letter() -> Vec<[Vec3; 3]> {
-    let bar = |[x0, y0, x1, y1]: [f32; 4]| {
-        let [a, b, c, d] = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec3::new(x, y, 0.0));
-        [[a, b, c], [a, c, d]]
-    };
-    [[-4.2, -7.1, -1.9, 7.1], [-1.9, 4.8, 4.9, 7.1], [-1.9, -0.6, 3.1, 1.7]]
-        .into_iter()
-        .flat_map(bar)
-        .collect()
-}
+use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, letter};
 
 /// The letter under a matrix, in the middle of a picture of 25×25.
 fn picture(m: &Mat4) -> Image {
@@ -62,4 +50,11 @@ fn the_sphere_from_three_distances() {
         let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--distance", distance];
         assert_similar(&LESSON, &format!("distance-{distance}"), &draw("transforms", &arguments));
     }
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("transforms", &["--size", "200x200"]);
+    assert_similar(&LESSON, "default", &picture);
 }

@@ -2,9 +2,7 @@ use camera::{LESSON, METHODS};
 use common::{Color, Format, Image, Vec3};
 use transforms::{place, projection, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, run};
-
-use crate::transforms::snapshots::letter;
+use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, letter, run};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -44,4 +42,11 @@ fn the_turntable_goes_around() {
         let picture = Image::read(&folder.path().join(format!("stop-00{n}.png"))).unwrap();
         assert_similar(&LESSON, &format!("turntable-{n}"), &picture);
     }
+}
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("camera", &["--size", "200x200"]);
+    assert_similar(&LESSON, "default", &picture);
 }

@@ -48,3 +48,10 @@ fn a_checkered_floor_warps() {
     let picture = draw("shaders", &[&scene[..], &["--eye", "0,0.4,2", "--size", "300x300"]].concat());
     assert_similar(&LESSON, "floor", &picture);
 }
+
+/// Without a flag, but smaller.
+#[test]
+fn the_default_picture() {
+    let picture = draw("shaders", &["--size", "200x200"]);
+    assert_similar(&LESSON, "default", &picture);
+}

@@ -2,9 +2,9 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{lines, run};
+use lines_tasks::{Lines, MISSION};
 
 fn main() -> ExitCode {
-    let student = lines::Lines { line: my_lines::line };
-    run(&lines::MISSION, &student, cfg!(test))
+    let student = Lines { line: my_lines::line };
+    MISSION.run(&student, cfg!(test))
 }

@@ -2,10 +2,9 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{run, wireframe};
+use wireframe_tasks::{MISSION, Wireframe};
 
 fn main() -> ExitCode {
-    let student =
-        wireframe::Wireframe { wireframe: my_wireframe::wireframe, to_pixel: my_wireframe::to_pixel };
-    run(&wireframe::MISSION, &student, cfg!(test))
+    let student = Wireframe { wireframe: my_wireframe::wireframe, to_pixel: my_wireframe::to_pixel };
+    MISSION.run(&student, cfg!(test))
 }

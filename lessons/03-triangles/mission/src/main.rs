@@ -2,12 +2,12 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{run, triangles};
+use triangles_tasks::{MISSION, Triangles};
 
 fn main() -> ExitCode {
-    let student = triangles::Triangles {
+    let student = Triangles {
         fill: |corners, bounds, visit| my_triangles::fill(corners, bounds, visit),
         flat_intensity: my_triangles::flat_intensity,
     };
-    run(&triangles::MISSION, &student, cfg!(test))
+    MISSION.run(&student, cfg!(test))
 }

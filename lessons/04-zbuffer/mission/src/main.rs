@@ -2,12 +2,12 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{run, zbuffer};
+use zbuffer_tasks::{MISSION, Zbuffer};
 
 fn main() -> ExitCode {
-    let student = zbuffer::Zbuffer {
+    let student = Zbuffer {
         fill_nearest: |corners, depths, store, visit| my_zbuffer::fill_nearest(corners, depths, store, visit),
         z_f32: my_zbuffer::z_f32,
     };
-    run(&zbuffer::MISSION, &student, cfg!(test))
+    MISSION.run(&student, cfg!(test))
 }

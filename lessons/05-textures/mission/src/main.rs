@@ -2,13 +2,13 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{run, textures};
+use textures_tasks::{MISSION, Textures};
 
 fn main() -> ExitCode {
-    let student = textures::Textures {
+    let student = Textures {
         texel: my_textures::texel,
         interpolate: my_textures::interpolate,
         draw_textured: |model, light, image, color| my_textures::draw_textured(model, light, image, color),
     };
-    run(&textures::MISSION, &student, cfg!(test))
+    MISSION.run(&student, cfg!(test))
 }

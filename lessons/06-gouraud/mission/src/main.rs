@@ -2,12 +2,12 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{gouraud, run};
+use gouraud_tasks::{Gouraud, MISSION};
 
 fn main() -> ExitCode {
-    let student = gouraud::Gouraud {
+    let student = Gouraud {
         intensities: my_gouraud::intensities,
         gouraud: |scene, image, place| my_gouraud::gouraud(scene, image, place),
     };
-    run(&gouraud::MISSION, &student, cfg!(test))
+    MISSION.run(&student, cfg!(test))
 }

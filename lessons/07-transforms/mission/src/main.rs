@@ -2,13 +2,13 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{run, transforms};
+use transforms_tasks::{MISSION, Transforms};
 
 fn main() -> ExitCode {
-    let student = transforms::Transforms {
+    let student = Transforms {
         viewport: my_transforms::viewport,
         projection: my_transforms::projection,
         place: my_transforms::place,
     };
-    run(&transforms::MISSION, &student, cfg!(test))
+    MISSION.run(&student, cfg!(test))
 }

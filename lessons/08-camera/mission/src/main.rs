@@ -2,9 +2,9 @@
 
 use std::process::ExitCode;
 
-use checks::missions::{camera, run};
+use camera_tasks::{Camera, MISSION};
 
 fn main() -> ExitCode {
-    let student = camera::Camera { basis: my_camera::basis, lookat: my_camera::lookat };
-    run(&camera::MISSION, &student, cfg!(test))
+    let student = Camera { basis: my_camera::basis, lookat: my_camera::lookat };
+    MISSION.run(&student, cfg!(test))
 }

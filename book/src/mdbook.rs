@@ -1,0 +1,51 @@
+//! mdBook's part: from Markdown in one folder to pages.
+
+use std::io::Write;
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+
+use anyhow::ensure;
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
+
+/// Builds pages into a folder, whose old content goes, from a folder that holds `SUMMARY.md` and all that it lists.
+/// Settings and theme are in the book's own folder. What mdBook would only warn of is an error.
+///
+/// # Errors
+/// What mdBook says.
+pub(crate) fn build(book: &Path, source: &Path, out: &Path) -> anyhow::Result<()> {
+    let mut config = Config::from_disk(book.join("book.toml"))?;
+    config.book.src = source.into();
+    config.build.build_dir = std::path::absolute(out)?;
+    let mdbook = MDBook::load_with_config(book, config)?;
+    let warnings = Warnings::default();
+    let writer = warnings.clone();
+    let subscriber = tracing_subscriber::fmt()
+        .with_max_level(tracing::Level::WARN)
+        .with_ansi(false)
+        .without_time()
+        .with_writer(move || writer.clone())
+        .finish();
+    tracing::subscriber::with_default(subscriber, || mdbook.build())?;
+    let text =
+        warnings.0.lock().map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
+    ensure!(text.is_empty(), "mdBook warns: {}", text.trim());
+    Ok(())
+}
+
+/// Where mdBook's warnings go.
+#[derive(Clone, Default)]
+struct Warnings(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Warnings {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if let Ok(mut all) = self.0.lock() {
+            all.extend_from_slice(bytes);
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}

@@ -1,1 +1,0 @@
-fn attempt() -> bool { checks::missions::lines::MISSION.checks.len() == 6 }

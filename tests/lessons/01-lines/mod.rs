@@ -1,5 +1,0 @@
-//! Lesson 1.
-
-mod properties;
-mod snapshots;
-mod stability;

@@ -1,5 +1,0 @@
-//! Lesson 2.
-
-mod properties;
-mod snapshots;
-mod stability;

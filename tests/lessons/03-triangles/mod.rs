@@ -1,5 +1,0 @@
-//! Lesson 3.
-
-mod properties;
-mod snapshots;
-mod stability;

@@ -1,0 +1,178 @@
+//! Mission 3: the pixels of a triangle, and how bright it is.
+
+use common::{Bounds, Color, IVec2, Image, Vec2, Vec3};
+use fastrand::Rng;
+use tasks::scenery::{LIGHT, MODEL, SIDE, canvas, direction, point};
+use tasks::{Check, Mission, Precision, Raw, Task};
+
+/// What the student writes.
+#[derive(Clone, Copy)]
+pub struct Triangles {
+    /// The lesson's `fill`.
+    pub fill: Visit,
+    /// The lesson's `flat_intensity`.
+    pub flat_intensity: fn([Vec3; 3], Vec3) -> f32,
+}
+
+/// Corners, bounds, and `visit(x, y, weights)`.
+pub type Visit = fn([Vec2; 3], Bounds, &mut dyn FnMut(i32, i32, Vec3));
+
+/// What may be drawn; around it the picture has a frame in which nothing may be.
+const BOUNDS: Bounds = Bounds { min: IVec2::splat(8), max: IVec2::splat(71) };
+
+/// Width and height of the picture.
+const SMALL: u16 = 80;
+
+/// What one visit adds to a pixel's brightness.
+pub const VISIT: u8 = 100;
+
+/// The mission.
+pub const MISSION: Mission<Triangles> = Mission {
+    lesson: "03-triangles",
+    checks: &[
+        Check {
+            name: "coverage",
+            asks: "every pixel whose centre is inside, no other, each visited once (twice is brighter)",
+            points: 2,
+            tasks: |rng| (0..6).map(|_| coverage(vec![corners(rng)])).collect(),
+            precision: Precision::EXACT,
+        },
+        Check {
+            name: "order",
+            asks: "the same pixels for any order of the corners",
+            points: 1,
+            tasks: |rng| {
+                let [a, b, c] = corners(rng);
+                [[a, b, c], [b, c, a], [c, a, b], [a, c, b], [c, b, a], [b, a, c]]
+                    .map(|corners| coverage(vec![corners]))
+                    .into()
+            },
+            precision: Precision::EXACT,
+        },
+        Check {
+            name: "weights",
+            asks: "red, green and blue are the weights of the first, second and third corner",
+            points: 2,
+            tasks: |rng| (0..3).map(|_| weights(corners(rng))).collect(),
+            precision: Precision::SHADED,
+        },
+        Check {
+            name: "bounds",
+            asks: "nothing is visited outside the bounds",
+            points: 1,
+            tasks: |_| {
+                let large = [(-30.25, -20.75), (140.25, 10.75), (20.25, 170.75)];
+                vec![coverage(vec![large.map(Vec2::from)])]
+            },
+            precision: Precision::EXACT,
+        },
+        Check {
+            name: "sides",
+            asks: "neighbours leave no gap and share no pixel, even where centres lie on their common side",
+            points: 1,
+            tasks: |rng| (0..4).map(|_| fan(rng)).collect(),
+            precision: Precision::EXACT,
+        },
+        Check {
+            name: "intensity",
+            asks: "the cosine between normal and light, below 0 for what faces away",
+            points: 2,
+            tasks: |rng| {
+                let input: Vec<_> =
+                    (0..10).map(|_| ([point(rng), point(rng), point(rng)], direction(rng))).collect();
+                vec![Task::new("triangles in space", move |student: &Triangles| {
+                    Raw::rows(
+                        input.iter().map(|&(corners, light)| [(student.flat_intensity)(corners, light)]),
+                    )
+                })]
+            },
+            precision: Precision::NUMBERS,
+        },
+        Check {
+            name: "picture",
+            asks: "the model, flat-shaded",
+            points: 1,
+            tasks: |_| {
+                vec![Task::new("the model", |student: &Triangles| {
+                    let mut image = canvas(SIDE, SIDE);
+                    for corners in MODEL.faces() {
+                        let intensity = (student.flat_intensity)(corners, LIGHT);
+                        if intensity >= 0.0 {
+                            let half = image.size() / 2.0;
+                            let screen = corners.map(|corner| corner.truncate() * half + half);
+                            paint(student, screen, &mut image, |_, _| Color::gray(intensity));
+                        }
+                    }
+                    Raw::Picture(image)
+                })]
+            },
+            precision: Precision::MODEL,
+        },
+    ],
+};
+
+/// Colours what the student visits, wherever that is.
+fn paint(student: &Triangles, corners: [Vec2; 3], image: &mut Image, color: impl Fn(Color, Vec3) -> Color) {
+    let bounds = if image.width() == i32::from(SMALL) { BOUNDS } else { image.bounds() };
+    (student.fill)(corners, bounds, &mut |x, y, weights| {
+        let before = image.get(x, y).unwrap_or(Color::BLACK);
+        image.set(x, y, color(before, weights));
+    });
+}
+
+/// Draws triangles; a pixel is brighter the more often it is visited.
+fn coverage(triangles: Vec<[Vec2; 3]>) -> Task<Triangles> {
+    Task::new(name(&triangles), move |student: &Triangles| {
+        let mut image = canvas(SMALL, SMALL);
+        for &corners in &triangles {
+            paint(student, corners, &mut image, |before, _| {
+                let level = before.r.saturating_add(VISIT);
+                Color::rgb(level, level, level)
+            });
+        }
+        Raw::Picture(image)
+    })
+}
+
+/// Draws one triangle in the colours of its weights.
+fn weights(corners: [Vec2; 3]) -> Task<Triangles> {
+    Task::new(name(&[corners]), move |student: &Triangles| {
+        let mut image = canvas(SMALL, SMALL);
+        paint(student, corners, &mut image, |_, weights| {
+            let [r, g, b] = weights.to_array().map(|weight| (weight * 255.0).round() as u8);
+            Color::rgb(r, g, b)
+        });
+        Raw::Picture(image)
+    })
+}
+
+fn name(triangles: &[[Vec2; 3]]) -> String {
+    match triangles {
+        [[a, b, c]] => format!("({}, {}) ({}, {}) ({}, {})", a.x, a.y, b.x, b.y, c.x, c.y),
+        _ => format!("{} triangles around a point", triangles.len()),
+    }
+}
+
+/// Corners in 1/16 px, in which no rounding is needed, such that no pixel's centre lies on a side.
+fn corners(rng: &mut Rng) -> [Vec2; 3] {
+    let mut corner = || IVec2::new(rng.i32(160..1120), rng.i32(160..1120));
+    loop {
+        let [a, b, c] = [corner(), corner(), corner()];
+        let on_side = |p: IVec2| [(a, b), (b, c), (c, a)].iter().any(|&(a, b)| (b - a).perp_dot(p - a) == 0);
+        let clear = (10..70).all(|y| (10..70).all(|x| !on_side(IVec2::new(x, y) * 16 + 8)));
+        let doubled = (b - a).perp_dot(c - a).abs();
+        // Of more than 100 pixels.
+        if clear && doubled > 2 * 100 * 16 * 16 {
+            return [a, b, c].map(|corner| corner.as_vec2() / 16.0);
+        }
+    }
+}
+
+/// Triangles around a pixel's centre that cover all there is. Their common sides run through many centres.
+fn fan(rng: &mut Rng) -> Task<Triangles> {
+    let middle = Vec2::new(rng.i32(34..46) as f32, rng.i32(34..46) as f32) + 0.5;
+    let quarter = [(1, 0), (2, 1), (1, 1), (1, 2)].map(IVec2::from);
+    let turned = |n: usize| (0..n / 4).fold(quarter[n % 4], |corner, _| corner.perp());
+    let around = |n: usize| middle + 60.0 * turned(n % 16).as_vec2();
+    coverage((0..16).map(|n| [middle, around(n), around(n + 1)]).collect())
+}

@@ -1,5 +1,0 @@
-//! Lesson 4.
-
-mod properties;
-mod snapshots;
-mod stability;

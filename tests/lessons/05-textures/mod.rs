@@ -1,5 +1,0 @@
-//! Lesson 5.
-
-mod properties;
-mod snapshots;
-mod stability;

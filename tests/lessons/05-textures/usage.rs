@@ -1,0 +1,20 @@
+use textures::LESSON;
+use verify::usage;
+
+#[test]
+fn what_holds_for_every_lesson() {
+    usage::check(&LESSON);
+    usage::check_depth(&LESSON);
+    usage::check_texture(&LESSON);
+}
+
+#[test]
+fn wrong_command_lines() {
+    usage::refuses(
+        &LESSON,
+        &[
+            (&["--distance", "2"], "unexpected argument '--distance'"),
+            (&["--light", "0,nan,1"], "--light <x,y,z>"),
+        ],
+    );
+}

@@ -1,4 +1,0 @@
-//! Lesson 6.
-
-mod snapshots;
-mod stability;

@@ -1,5 +1,0 @@
-//! Lesson 7.
-
-mod properties;
-pub(crate) mod snapshots;
-mod stability;

@@ -1,5 +1,0 @@
-//! Lesson 8.
-
-mod properties;
-mod snapshots;
-mod stability;

@@ -1,5 +1,0 @@
-//! Lesson 9.
-
-mod properties;
-mod snapshots;
-mod stability;

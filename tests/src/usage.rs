@@ -1,0 +1,178 @@
+//! The command line of a lesson's program: what holds for every lesson, and for those that draw in depth or with a
+//! texture.
+
+use std::path::Path;
+use std::process::Output;
+
+use common::{Color, Image, Lesson, Method};
+use tempfile::tempdir;
+
+use super::{CRATE, SPHERE, names, program, run};
+
+/// Checks that a program failed as it should, and said why in one line.
+///
+/// # Panics
+/// Where it did not.
+#[track_caller]
+pub fn assert_fails(output: &Output, code: i32, said: &[&str]) {
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{error}");
+    assert_eq!(error.lines().count(), 1, "{error}");
+    assert!(said.iter().all(|words| error.contains(words)), "{error}");
+}
+
+/// Checks that command lines are refused with exit code 2, each in a line with the words beside it, and that nothing
+/// is written.
+///
+/// # Panics
+/// Where one is not.
+#[track_caller]
+pub fn refuses(lesson: &Lesson, rows: &[(&[&str], &str)]) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    for (arguments, said) in rows {
+        assert_fails(&run(lesson.name, folder.path(), arguments), 2, &[said]);
+    }
+    assert_eq!(names(folder.path()), [""; 0]);
+}
+
+/// What holds for the program of every lesson: what it refuses, `--list`, `--help` and `--compare`.
+///
+/// # Panics
+/// Where it does not hold.
+#[track_caller]
+pub fn check(lesson: &Lesson) {
+    refuses(
+        lesson,
+        &[
+            (&["--size", "0x0"], "--size <WxH>"),
+            (&["--size", "99999x1"], "1 to 16384"),
+            (&["--size", "16384x16384"], "67108864 pixels in all"),
+            (&["--method", "no-such"], "possible values"),
+            (&["--compare", "no-such"], "--compare <A,B>"),
+            (&["--depth"], "--depth"),
+            (&["extra"], "extra"),
+            (&["--out"], "--out <FILE>"),
+        ],
+    );
+
+    // The table and the help are printed, and nothing is drawn.
+    let folder = tempdir().expect("a temporary folder can be made");
+    let methods = (lesson.tables[0].rows)();
+    let output = run(lesson.name, folder.path(), &["--list"]);
+    let printed = String::from_utf8_lossy(&output.stdout);
+    assert_eq!((output.status.code(), printed), (Some(0), Method::list(&methods).into()));
+    let help = run(lesson.name, folder.path(), &["--help"]);
+    assert!(help.status.success() && String::from_utf8_lossy(&help.stdout).contains("--compare <A,B>"));
+    assert_eq!(names(folder.path()), [""; 0]);
+
+    // Two methods and their difference in one picture, and the counts.
+    let [a, b] = [methods[0].name, methods[methods.len() - 1].name];
+    let pair = format!("{a},{b}");
+    let output = run(lesson.name, folder.path(), &["--compare", &pair, "--size", "60x60", "--out", "a.png"]);
+    let said = String::from_utf8_lossy(&output.stdout);
+    let begins = format!("a.png (1812x600)\n{b} against {a}: ");
+    assert!(said.starts_with(&begins) && said.contains(" pixels missing (orange), "), "{said}");
+    assert_eq!(read(folder.path(), "a.png").width(), 1812);
+}
+
+/// What holds for a program with `--depth`: it writes the depths as a picture, and a picture of one pixel, too small
+/// for a sheet's cells, has none of them.
+///
+/// # Panics
+/// Where it does not hold.
+#[track_caller]
+pub fn check_depth(lesson: &Lesson) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    for (size, picture, depth) in [("61x40", "a.png", "b.tga"), ("1x1", "c.png", "d.png")] {
+        let arguments = ["--size", size, "--out", picture, "--depth", depth, "--model", SPHERE];
+        let output = run(lesson.name, folder.path(), &arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    let depth = read(folder.path(), "b.tga");
+    assert_eq!((depth.width(), depth.height()), (61, 40));
+    assert!(depth.pixels().any(|pixel| pixel.2 == Color::WHITE));
+    assert_eq!(names(folder.path()), ["a.png", "b.tga", "c.png", "d.png"]);
+}
+
+/// What holds for a program with `--texture`: the model needs texture coordinates, and the texture must be there.
+///
+/// # Panics
+/// Where it does not hold.
+#[track_caller]
+pub fn check_texture(lesson: &Lesson) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    write_bare(folder.path());
+    let bare = ["--model", "bare.obj", "--texture", CRATE, "--out", "a.png"];
+    let said = ["bare.obj: not every face has texture coordinates; export the model with them"];
+    assert_fails(&run(lesson.name, folder.path(), &bare), 1, &said);
+    let missing = ["--model", SPHERE, "--texture", "none.png", "--out", "a.png"];
+    assert_fails(&run(lesson.name, folder.path(), &missing), 1, &["cannot read none.png"]);
+    assert_eq!(names(folder.path()), ["bare.obj"]);
+}
+
+/// Checks that what reaches behind the eye is left out and told, and all else is drawn.
+///
+/// # Panics
+/// Where it is not.
+#[track_caller]
+pub fn check_behind_the_eye(lesson: &Lesson, flags: &[&str]) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 1 9\nvt 0 0\nf 1/1 2/1 3/1\nf 1/1 2/1 4/1\n";
+    std::fs::write(folder.path().join("a.obj"), text).expect("the folder can be written");
+    let scene = ["--model", "a.obj", "--texture", CRATE, "--out", "a.png"];
+    let output = run(lesson.name, folder.path(), &[&scene[..], flags].concat());
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(told.ends_with("left out 1 triangle that reaches behind the eye\n"), "{told}");
+    assert!(read(folder.path(), "a.png").pixels().any(|pixel| pixel.2 != Color::BLACK));
+}
+
+/// Checks that a turntable writes as many pictures as asked for, and depths beside them, and that it turns.
+///
+/// # Panics
+/// Where it does not.
+#[track_caller]
+pub fn check_turntable(lesson: &Lesson) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    let output = run(lesson.name, folder.path(), &["--turntable", "3", "--size", "30x30", "--model", SPHERE]);
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "3 pictures\n");
+    let out = folder.path().join("out");
+    let file = |n: usize, kind: &str| format!("{}-{n:03}.{kind}", lesson.folder());
+    let expected: Vec<String> = (0..3).flat_map(|n| ["png", "tga"].map(|kind| file(n, kind))).collect();
+    assert_eq!(names(&out), expected);
+    assert!(read(&out, &file(0, "png")) != read(&out, &file(1, "png")));
+}
+
+/// Checks that a turntable reads its texture once: from a pipe, there is no second time.
+///
+/// # Panics
+/// Where it does not.
+#[cfg(unix)]
+#[track_caller]
+pub fn check_turntable_reads_once(lesson: &Lesson) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    std::os::unix::fs::symlink("/dev/stdin", folder.path().join("pipe.png")).expect("a link can be made");
+    let script = format!(
+        "cat {CRATE} | \"$0\" --model {SPHERE} --texture pipe.png --turntable 3 --size 30x30 --out a.png"
+    );
+    let output = std::process::Command::new("sh")
+        .args(["-c", &script])
+        .arg(program(lesson.name, folder.path()).get_program())
+        .current_dir(folder.path())
+        .output()
+        .expect("there is a shell");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert_eq!(names(folder.path()), ["a-000.png", "a-001.png", "a-002.png", "pipe.png"]);
+}
+
+/// Writes `bare.obj`: a triangle of positions alone.
+///
+/// # Panics
+/// Where the folder cannot be written.
+pub fn write_bare(folder: &Path) {
+    let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(folder.join("bare.obj"), text).expect("the folder can be written");
+}
+
+fn read(folder: &Path, name: &str) -> Image {
+    Image::read(&folder.join(name)).expect("the program wrote a picture")
+}

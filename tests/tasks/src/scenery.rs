@@ -1,0 +1,86 @@
+//! What missions draw: the course's model and texture, small random ones, and random numbers.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use common::program::model::DEFAULT_MODEL;
+use common::{Attributes, Color, Format, Image, Model, Vec3};
+use fastrand::Rng;
+
+/// Sides of the pictures of models.
+pub const SIDE: u16 = 400;
+
+/// The light of those pictures: from the right, above, in front.
+pub const LIGHT: Vec3 = Vec3::new(0.48, 0.6, 0.64);
+
+/// The course's model.
+pub static MODEL: LazyLock<Model> = LazyLock::new(|| {
+    let wanted = Attributes { normals: true, uvs: true };
+    Model::read(Path::new(DEFAULT_MODEL), wanted).expect("the course's model is in its place")
+});
+
+/// The painted wooden box.
+pub static TEXTURE: LazyLock<Image> = LazyLock::new(|| {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/crate.png");
+    Image::read(Path::new(path)).expect("the course's texture is in its place")
+});
+
+/// A black picture.
+#[must_use]
+pub fn canvas(width: u16, height: u16) -> Image {
+    Image::new(width, height, Format::Rgb)
+}
+
+/// A picture in which no two pixels are likely to be alike, and none is black.
+pub fn noise(rng: &mut Rng, side: u16) -> Image {
+    let mut image = canvas(side, side);
+    for (x, y, _) in image.clone().pixels() {
+        let Color { r, g, b, .. } = Color::random(rng.u64(..));
+        image.set(x, y, Color::rgb(r | 1, g, b));
+    }
+    image
+}
+
+/// A number from −1 to 1.
+pub fn signed(rng: &mut Rng) -> f32 {
+    rng.f32() * 2.0 - 1.0
+}
+
+/// A point in [−1, 1]³.
+pub fn point(rng: &mut Rng) -> Vec3 {
+    Vec3::new(signed(rng), signed(rng), signed(rng))
+}
+
+/// A direction, 1 long.
+pub fn direction(rng: &mut Rng) -> Vec3 {
+    (0..).find_map(|_| Some(point(rng)).filter(|p| p.length() > 0.1)).map_or(Vec3::Z, Vec3::normalize)
+}
+
+/// A square in space, seen as [left, right] × [bottom, top] in model units, as two triangles, with a normal and
+/// corners of a texture. As OBJ text, since this is the way in which a model gets normals.
+pub struct Square {
+    /// left, bottom, right, top, z.
+    pub place: [f32; 5],
+    /// The normals at bottom-left, bottom-right, top-right, top-left.
+    pub normals: [Vec3; 4],
+}
+
+/// A model of squares.
+///
+/// # Panics
+/// Where a number is not finite.
+#[must_use]
+pub fn squares(squares: &[Square]) -> Model {
+    let mut text = String::from("vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n");
+    for (n, Square { place: [left, bottom, right, top, z], normals }) in squares.iter().enumerate() {
+        for (x, y) in [(left, bottom), (right, bottom), (right, top), (left, top)] {
+            text += &format!("v {x} {y} {z}\n");
+        }
+        for normal in normals {
+            text += &format!("vn {} {} {}\n", normal.x, normal.y, normal.z);
+        }
+        let corner = |k: usize| format!("{0}/{k}/{0}", 4 * n + k);
+        text += &format!("f {} {} {} {}\n", corner(1), corner(2), corner(3), corner(4));
+    }
+    Model::parse(text.as_bytes(), Attributes { normals: true, uvs: true }).expect("the text is an OBJ file")
+}
