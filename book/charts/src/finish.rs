@@ -11,7 +11,7 @@ use common::file::write_whole;
 use common::{Color, Image, Vec3};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use shaders::{Choose, METHODS, Render, Rendering, SHADERS, Scene};
+use shaders::{Choose, Draw, Look, METHODS, SHADERS};
 
 use super::card::LAYOUTS;
 use super::draw::{Dot, Speed, speed};
@@ -20,7 +20,7 @@ use super::finding::times;
 use super::frontier::{Figure, frontier};
 use super::measure::Work;
 use super::models::scene_model;
-use super::scene::{EYE, channels, draw, exact, scene};
+use super::scene::{EYE, Subject, channels, draw, exact};
 use super::table::{Quantity, number};
 use super::{Comparison, Pictures, Run, caption};
 
@@ -59,7 +59,7 @@ struct Row {
 }
 
 /// A shader, how it is called, and the size in which it is drawn.
-type Choice = (&'static common::Method<Rendering>, &'static common::Method<Choose>, u16);
+type Choice = (&'static common::Method<Look>, &'static common::Method<Choose>, u16);
 
 /// The choices that are compared.
 fn choices() -> Vec<Choice> {
@@ -77,8 +77,8 @@ fn choices() -> Vec<Choice> {
 }
 
 /// What is shown: a picture drawn in its size, in the size in which it is looked at.
-fn shown(render: Render, scene: &Scene, size: u16) -> Image {
-    let image = draw(render, scene, size).image;
+fn shown(render: Draw, subject: &Subject, size: u16) -> Image {
+    let image = draw(render, &subject.seen(LIGHT, EYE), size).image;
     match size {
         SIDE => image,
         ..SIDE => enlarged(&image, SIDE),
@@ -116,10 +116,10 @@ fn enlarged(image: &Image, side: u16) -> Image {
 
 fn works(_: usize) -> anyhow::Result<Vec<Work>> {
     let (_, model, texture) = scene_model()?;
+    let subject = Subject::new(model, texture);
     let work = |(shader, method, size): Choice| {
-        let render = (method.run)(&shader.run);
-        let scene = scene(model, texture, LIGHT, EYE, size);
-        Work::new(1.0, move || shown(render, &scene, size))
+        let (render, subject) = ((method.run)(&shader.run), subject.clone());
+        Work::new(1.0, move || shown(render, &subject, size))
     };
     Ok(choices().into_iter().map(work).collect())
 }
@@ -132,9 +132,10 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
     let object: Vec<bool> = expected.iter().map(|color| *color != [0.0; 3]).collect();
     let generic = METHODS.last().expect("lesson 9 has methods");
     let speeds = run.speeds(COMPARISON.name, usize::from(SIDE), 3.0)?;
+    let subject = Subject::new(model, texture);
     let mut rows = Vec::new();
     for ((shader, method, size), found) in choices().into_iter().zip(speeds) {
-        let image = shown((method.run)(&shader.run), &scene(model, texture, LIGHT, EYE, size), size);
+        let image = shown((method.run)(&shader.run), &subject, size);
         let flips = flip(&image, &expected);
         let mean = |counts: &dyn Fn(usize) -> bool| {
             let counted =

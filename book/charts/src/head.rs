@@ -4,15 +4,16 @@ use std::path::Path;
 
 use common::file::write_whole;
 use common::{Attributes, Method, Model};
+use gouraud::corner_normals;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use shaders::{SHADERS, Target};
+use shaders::{Framebuffer, SHADERS};
 
 use super::card::LAYOUTS;
 use super::draw::{Line, Lines, lines};
 use super::figures::three_digits;
 use super::measure::Work;
-use super::needs::{SHADED, coverage, front};
+use super::needs::{SHADED, coverage, drawing, front};
 use super::scene::draw;
 use super::table::{Series, number};
 use super::{Comparison, Pictures, Run, caption};
@@ -49,11 +50,7 @@ fn head(triangles: usize) -> Model {
 /// Each shader drawing each head.
 fn works(_: usize) -> anyhow::Result<Vec<Work>> {
     let models = TRIANGLES.map(|triangles| &*Box::leak(Box::new(head(triangles))));
-    let work = |(model, shader): (&'static Model, &str)| {
-        let render = Method::find(SHADERS, shader).expect("lesson 9 has it").run.generic;
-        let scene = front(model, SIDE);
-        Work::new(1.0, move || draw(render, &scene, SIDE))
-    };
+    let work = |(model, shader): (&'static Model, &str)| drawing(shader, model, SIDE);
     Ok(models.into_iter().flat_map(|model| SHADED.map(|shader| (model, shader))).map(work).collect())
 }
 
@@ -61,19 +58,21 @@ fn works(_: usize) -> anyhow::Result<Vec<Work>> {
 fn measure(run: &mut Run) -> anyhow::Result<()> {
     let finest = head(FINEST);
     let render = |shader| Method::find(SHADERS, shader).expect("lesson 9 has it").run.generic;
-    let right = draw(render("gouraud"), &front(&finest, SIDE), SIDE);
-    let whole = coverage(&front(&finest, SIDE), SIDE);
+    let normals = corner_normals(&finest);
+    let seen = front(&finest, &normals);
+    let (right, whole) = (draw(render("gouraud"), &seen, SIDE), coverage(&seen, SIDE));
     let speeds = run.speeds(COMPARISON.name, usize::from(SIDE), 1.0)?;
     let pairs = TRIANGLES.into_iter().flat_map(|triangles| SHADED.map(|shader| (triangles, shader)));
     let mut writer = csv::Writer::from_writer(Vec::new());
     for ((triangles, shader), speed) in pairs.zip(speeds) {
         let model = head(triangles);
-        let scene = front(&model, SIDE);
+        let normals = corner_normals(&model);
+        let seen = front(&model, &normals);
         writer.serialize(Row {
             shader: shader.into(),
             triangles: model.faces().len(),
-            outline_mean: three_digits(outline(&coverage(&scene, SIDE), &whole)),
-            shading_mean: three_digits(shading(&draw(render(shader), &scene, SIDE), &right)),
+            outline_mean: three_digits(outline(&coverage(&seen, SIDE), &whole)),
+            shading_mean: three_digits(shading(&draw(render(shader), &seen, SIDE), &right)),
             ms_median: three_digits(1000.0 / speed.median),
         })?;
     }
@@ -147,7 +146,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
 }
 
 /// Whether something is drawn at a pixel; beside the picture is nothing.
-fn covered(drawn: &Target, x: i32, y: i32) -> bool {
+fn covered(drawn: &Framebuffer, x: i32, y: i32) -> bool {
     drawn.depths.bounds().contains(x, y) && drawn.depths.get(x, y) > f32::NEG_INFINITY
 }
 
@@ -168,7 +167,7 @@ fn outline(covered: &[bool], right: &[bool]) -> f64 {
 }
 
 /// The mean difference of what both cover, in grey levels.
-fn shading(drawn: &Target, right: &Target) -> f64 {
+fn shading(drawn: &Framebuffer, right: &Framebuffer) -> f64 {
     let both = drawn.image.pixels().zip(right.image.pixels());
     let both = both.filter(|((x, y, _), _)| covered(drawn, *x, *y) && covered(right, *x, *y));
     let (sum, count) = both.fold((0.0, 0.0), |(sum, count), (got, exact)| {

@@ -5,12 +5,12 @@ use std::fmt::Write;
 use std::path::Path;
 
 use common::file::write_whole;
-use common::{Attributes, DVec3, Image, Mat4, Method, Model, Vec3};
+use common::{Attributes, DVec3, Format, Image, Method, Model, Vec2, Vec3};
 use gouraud::corner_normals;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use shaders::{SHADERS, Scene, Target};
-use transforms::{place, projection, viewport};
+use shaders::{Framebuffer, SHADERS, Uniforms, fit};
+use transforms::{place, viewport};
 
 use super::card::LAYOUTS;
 use super::draw::{Line, Lines, lines};
@@ -83,12 +83,12 @@ fn sphere(segments: usize) -> Model {
 }
 
 /// The pixels that a model covers, whatever light falls on it, in rows from the bottom.
-pub(super) fn coverage(scene: &Scene, side: u16) -> Vec<bool> {
-    let empty = Image::new(side, side, common::Format::Gray);
+pub(super) fn coverage(uniforms: &Uniforms, side: u16) -> Vec<bool> {
+    let empty = Image::new(side, side, Format::Gray);
     let mut covered = vec![false; usize::from(side) * usize::from(side)];
-    for face in scene.model.faces() {
-        let corners = face.map(|corner| place(&scene.to_screen, corner));
-        if let [Some(a), Some(b), Some(c)] = corners {
+    let to_screen = viewport(f32::from(side), f32::from(side), 0.5) * uniforms.to_clip;
+    for face in uniforms.model.faces() {
+        if let [Some(a), Some(b), Some(c)] = face.map(|corner| place(&to_screen, corner)) {
             triangles::fill([a, b, c].map(Vec3::truncate), empty.bounds(), |x, y, _| {
                 covered[y as usize * usize::from(side) + x as usize] = true;
             });
@@ -116,7 +116,7 @@ fn outline(covered: &[bool], side: u16) -> [f64; 2] {
 /// How far the shading of a drawn sphere is from that of the smooth one, in grey levels: the largest difference and
 /// the mean. A point of the drawn surface is held against the point of the sphere in the same direction from the
 /// middle: that the two are seen in different pixels is a matter of the outline.
-fn shading(drawn: &Target, side: u16) -> [f64; 2] {
+fn shading(drawn: &Framebuffer, side: u16) -> [f64; 2] {
     let radius = f64::from(side) * f64::from(ZOOM);
     let light = LIGHT.as_dvec3().normalize();
     let (mut largest, mut sum, mut count) = (0.0_f64, 0.0, 0.0);
@@ -143,11 +143,7 @@ fn center(n: i32, side: u16) -> f64 {
 fn works(side: usize) -> anyhow::Result<Vec<Work>> {
     let side = side as u16;
     let models = SEGMENTS.map(|segments| &*Box::leak(Box::new(sphere(segments))));
-    let work = |(shader, model): (&str, &'static Model)| {
-        let render = Method::find(SHADERS, shader).expect("lesson 9 has it").run.generic;
-        let scene = front(model, side);
-        Work::new(1.0, move || draw(render, &scene, side))
-    };
+    let work = |(shader, model): (&str, &'static Model)| drawing(shader, model, side);
     Ok(SHADED.iter().flat_map(|shader| models.map(|model| (*shader, model))).map(work).collect())
 }
 
@@ -160,10 +156,11 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
         let pairs = SHADED.iter().flat_map(|shader| SEGMENTS.map(|segments| (*shader, segments)));
         for ((shader, segments), speed) in pairs.zip(speeds) {
             let model = sphere(segments);
-            let scene = front(&model, side);
+            let normals = corner_normals(&model);
+            let uniforms = front(&model, &normals);
             let render = Method::find(SHADERS, shader).expect("lesson 9 has it").run.generic;
-            let [outline_max, outline_mean] = outline(&coverage(&scene, side), side).map(three_digits);
-            let [shading_max, shading_mean] = shading(&draw(render, &scene, side), side).map(three_digits);
+            let [outline_max, outline_mean] = outline(&coverage(&uniforms, side), side).map(three_digits);
+            let [shading_max, shading_mean] = shading(&draw(render, &uniforms, side), side).map(three_digits);
             let before = SEGMENTS.iter().rev().find(|&&other| other < segments).copied().unwrap_or(0);
             let is_first = |needed: f64| segments as f64 >= needed && (before as f64) < needed;
             rows.push(Row {
@@ -198,17 +195,15 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
 }
 
 /// A model from the front, in parallel projection.
-pub(super) fn front(model: &Model, side: u16) -> Scene<'_> {
-    let size = f32::from(side);
-    let to_screen: Mat4 = viewport(size, size, ZOOM) * projection(f32::INFINITY);
-    Scene {
-        model,
-        normals: corner_normals(model),
-        texture: None::<&Image>,
-        light: LIGHT,
-        to_screen,
-        levels: 1,
-    }
+pub(super) fn front<'a>(model: &'a Model, normals: &'a [[Vec3; 3]]) -> Uniforms<'a> {
+    Uniforms { normals, light: LIGHT, to_clip: fit(ZOOM, Vec2::ONE), ..Uniforms::new(model) }
+}
+
+/// The piece of work of drawing a model from the front; what it draws is kept until the program ends.
+pub(super) fn drawing(shader: &str, model: &'static Model, side: u16) -> Work {
+    let render = Method::find(SHADERS, shader).expect("lesson 9 has it").run.generic;
+    let uniforms = front(model, Vec::leak(corner_normals(model)));
+    Work::new(1.0, move || draw(render, &uniforms, side))
 }
 
 /// The charts, from the figures in a folder.

@@ -1,13 +1,13 @@
 //! Lesson 9's scene, drawn by its shaders and computed without them.
 
 use camera::lookat;
-use checks::render::{self, Face, render};
-use common::{Format, Image, Model, Vec3};
+use checks::render::{Face, sampled};
+use common::{Format, Image, Model, Vec2, Vec3};
 use gouraud::corner_normals;
-use shaders::{Render, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::{Draw, Framebuffer, Uniforms, fit};
+use transforms::projection;
 
-/// What the lesson's viewport leaves of the picture's side to a length of 1.
+/// What a length of 1 takes up of the lesson's picture.
 const ZOOM: f32 = 0.4;
 
 /// Steps of the quantized shader.
@@ -16,39 +16,41 @@ pub(crate) const LEVELS: u16 = 6;
 /// The lesson's default eye.
 pub(crate) const EYE: Vec3 = Vec3::new(1.0, 1.0, 2.0);
 
-/// The lesson's scene of a model, a picture of `side`×`side`, seen from `eye`.
-pub(crate) fn scene<'a>(
+/// A model with its normals and a texture.
+#[derive(Clone)]
+pub(crate) struct Subject<'a> {
     model: &'a Model,
+    normals: Vec<[Vec3; 3]>,
     texture: &'a Image,
-    light: Vec3,
-    eye: Vec3,
-    side: u16,
-) -> Scene<'a> {
-    let side = f32::from(side);
-    let view = lookat(eye, Vec3::ZERO, Vec3::Y).expect("the eye is not at the centre");
-    Scene {
-        model,
-        normals: corner_normals(model),
-        texture: Some(texture),
-        light,
-        to_screen: viewport(side, side, ZOOM) * projection(eye.length()) * view,
-        levels: LEVELS,
+}
+
+impl<'a> Subject<'a> {
+    pub(crate) fn new(model: &'a Model, texture: &'a Image) -> Self {
+        Self { model, normals: corner_normals(model), texture }
+    }
+
+    /// As the lesson shows it in a square picture, seen from `eye`.
+    pub(crate) fn seen(&self, light: Vec3, eye: Vec3) -> Uniforms<'_> {
+        let view = lookat(eye, Vec3::ZERO, Vec3::Y).expect("the eye is not at the centre");
+        Uniforms {
+            normals: &self.normals,
+            texture: Some(self.texture),
+            light,
+            to_clip: fit(ZOOM, Vec2::ONE) * projection(eye.length()) * view,
+            levels: LEVELS,
+            ..Uniforms::new(self.model)
+        }
     }
 }
 
-/// An empty picture with its depths.
-pub(crate) fn target(side: u16) -> Target {
-    Target::new(Image::new(side, side, Format::Rgb))
-}
-
 /// The picture that a shader draws.
-pub(crate) fn draw(render: Render, scene: &Scene, side: u16) -> Target {
-    let mut target = target(side);
-    render(scene, &mut target);
+pub(crate) fn draw(draw: Draw, uniforms: &Uniforms, side: u16) -> Framebuffer {
+    let mut target = Framebuffer::new(Image::new(side, side, Format::Rgb));
+    draw(uniforms, &mut target);
     target
 }
 
-/// The scene as it should be, in rows from the bottom, 0 to 255.
+/// The picture as it should be, in rows from the bottom, 0 to 255.
 pub(crate) fn exact(
     model: &Model,
     texture: Option<&Image>,
@@ -58,7 +60,7 @@ pub(crate) fn exact(
 ) -> Vec<[f64; 3]> {
     let attributes = corner_normals(model).into_iter().zip(model.face_uvs());
     let faces = model.faces().zip(attributes).map(|(corners, (normals, uvs))| Face { corners, normals, uvs });
-    let scene = render::Scene {
+    let subject = checks::render::Subject {
         faces: faces.collect(),
         texture,
         light: light.as_dvec3().normalize(),
@@ -68,7 +70,7 @@ pub(crate) fn exact(
         zoom: f64::from(ZOOM),
         tone: |intensity| intensity,
     };
-    render(&scene, usize::from(side), samples)
+    sampled(&subject, usize::from(side), samples)
 }
 
 /// The picture as rows from the bottom, 0 to 255.

@@ -2,13 +2,12 @@
 
 use common::{Format, Image, Method, Vec3};
 use gouraud::corner_normals;
-use shaders::{Choose, METHODS, Render, Rendering, SHADERS, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::{Draw, Framebuffer, Look, METHODS, SHADERS, Uniforms};
 
 use super::gouraud::light;
 use crate::measure::{Effort, Errors, Work};
 use crate::models::{TRIANGLES, USUAL, sphere, texture};
-use crate::scene::{EYE, channels, draw, exact, scene};
+use crate::scene::{EYE, Subject, channels, draw, exact};
 use crate::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const METHODS_CHART: Chart = Chart {
@@ -99,30 +98,30 @@ pub(crate) const TEXTURED_CHART: Chart = Chart {
 };
 
 /// The look of that name.
-fn look(name: &str) -> &'static Rendering {
+fn look(name: &str) -> &'static Look {
     &Method::find(SHADERS, name).expect("the lesson has this shader").run
 }
 
 /// The drawings of lessons 4, 5 and 6 that shaders must repeat, under an identity view.
-fn earlier(name: &str, scene: &Scene, side: u16) -> Image {
+fn earlier(name: &str, uniforms: &Uniforms, side: u16) -> Image {
     let mut image = Image::new(side, side, Format::Rgb);
-    let texture = scene.texture.expect("the scene has a texture");
+    let texture = uniforms.texture.expect("there is a texture");
     match name {
         "flat" => {
-            let surfaces = zbuffer::surfaces(scene.model, scene.light, &image);
+            let surfaces = zbuffer::surfaces(uniforms.model, uniforms.light, &image);
             zbuffer::z_f32(&surfaces, &mut image);
         }
         "flat-texture" => {
             let nearest = Method::find(textures::METHODS, "nearest").expect("lesson 5 has it");
-            (nearest.run.draw)(scene.model, texture, scene.light, &mut image);
+            (nearest.run.draw)(uniforms.model, texture, uniforms.light, &mut image);
         }
         _ => {
             let gouraud = Method::find(gouraud::METHODS, "gouraud").expect("lesson 6 has it");
             let scene = gouraud::Scene {
-                model: scene.model,
-                normals: scene.normals.clone(),
+                model: uniforms.model,
+                normals: uniforms.normals.to_vec(),
                 texture,
-                light: scene.light,
+                light: uniforms.light,
             };
             (gouraud.run)(&scene, &mut image);
         }
@@ -140,18 +139,12 @@ fn method_errors(effort: Effort) -> Vec<Errors> {
         for name in ["flat", "flat-texture", "gouraud-texture"] {
             // Lesson 6 draws in black what a shader leaves out: they agree where nothing faces away.
             let light = if name == "gouraud-texture" { Vec3::Z } else { light(&mut random) };
-            let side = f32::from(SIDE);
-            let scene = Scene {
-                model,
-                normals: corner_normals(model),
-                texture: Some(&texture),
-                light,
-                to_screen: viewport(side, side, 0.5) * projection(f32::INFINITY),
-                levels: 1,
-            };
-            let expected = earlier(name, &scene, SIDE);
+            let normals = corner_normals(model);
+            let uniforms =
+                Uniforms { normals: &normals, texture: Some(&texture), light, ..Uniforms::new(model) };
+            let expected = earlier(name, &uniforms, SIDE);
             for (method, errors) in METHODS.iter().zip(&mut errors) {
-                let got = draw((method.run)(look(name)), &scene, SIDE);
+                let got = draw((method.run)(look(name)), &uniforms, SIDE);
                 let (largest, mean) = difference(channels(&got.image), channels(&expected), |_| true);
                 errors.add(largest, mean, &[]);
             }
@@ -177,18 +170,19 @@ fn difference(
 }
 
 /// Draws the lesson's sphere again and again, one piece of work for each renderer.
-fn work(renders: impl Iterator<Item = Render>, size: usize) -> Vec<Work> {
+fn work(draws: impl Iterator<Item = Draw>, size: usize) -> Vec<Work> {
     const SIDE: u16 = 800;
     let model = sphere(size);
     let texture: &'static Image = Box::leak(Box::new(texture()));
-    let pixels = |target: &Target| {
+    let pixels = |target: &Framebuffer| {
         target.image.pixels().filter(|&(x, y, _)| target.depths.get(x, y) > f32::NEG_INFINITY).count() as f64
     };
-    renders
+    let subject = Subject::new(model, texture);
+    draws
         .map(|render| {
-            let scene = scene(model, texture, Vec3::Z, EYE, SIDE);
-            let amount = pixels(&draw(render, &scene, SIDE));
-            Work::new(amount, move || draw(render, &scene, SIDE))
+            let subject = subject.clone();
+            let amount = pixels(&draw(render, &subject.seen(Vec3::Z, EYE), SIDE));
+            Work::new(amount, move || draw(render, &subject.seen(Vec3::Z, EYE), SIDE))
         })
         .collect()
 }
@@ -203,16 +197,9 @@ fn look_work(names: &[&str], size: usize) -> Vec<Work> {
 
 /// The mean difference between a drawn sphere and the exact picture, where both show the surface: the largest
 /// and the mean.
-fn off_exact(
-    render: Render,
-    shader: &str,
-    triangles: usize,
-    light: Vec3,
-    eye: Vec3,
-    side: u16,
-) -> (f64, f64) {
+fn off_exact(render: Draw, shader: &str, triangles: usize, light: Vec3, eye: Vec3, side: u16) -> (f64, f64) {
     let (model, texture) = (sphere(triangles), texture());
-    let got = draw(render, &scene(model, &texture, light, eye, side), side);
+    let got = draw(render, &Subject::new(model, &texture).seen(light, eye), side);
     let textured = shader.ends_with("texture");
     let expected = exact(model, textured.then_some(&texture), light, eye, (side, 1));
     let inside: Vec<bool> = got
@@ -262,7 +249,7 @@ fn look_stability(names: &[&str], effort: Effort) -> Vec<Series> {
 /// triangles reach behind the eye and are left out.
 fn method_stability(_: Effort) -> Vec<Series> {
     let heights = [10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
-    let mean = |method: &Method<Choose>, height: f64| {
+    let mean = |method: &Method<fn(&Look) -> Draw>, height: f64| {
         let eye = EYE.normalize() * (1.0 + height) as f32;
         let render = (method.run)(look("gouraud-texture"));
         off_exact(render, "gouraud-texture", 968, EYE.normalize(), eye, 400).1

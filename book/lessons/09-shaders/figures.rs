@@ -7,9 +7,9 @@ use camera::lookat;
 use common::{Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use gouraud::corner_normals;
 use shaders::lighting::{Lighting, Quantized};
-use shaders::program::{Shader, render};
-use shaders::{METHODS, SHADERS, Scene, Target};
-use transforms::{projection, translate, viewport};
+use shaders::shader::{Fragment, Shader, render};
+use shaders::{Framebuffer, METHODS, SHADERS, Uniforms, fit};
+use transforms::{projection, scale, translate};
 use zbuffer::fill_nearest;
 
 use crate::figures::picture::{all_beside, beside, canvas, chequered, method, model, paste, texture};
@@ -27,8 +27,9 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "shaders-steps",
-        "A column of steps, by turns the loop's and the shader's: the triangle, its three corners, the division by \
-         w, the pixels and the depth test, the fragment, and at last the writing of colour and depth.",
+        "A column of steps, by turns the shader's and the loop's: the position of every vertex, the division by w, \
+         the triangle, its three corners, the pixels and the test, the fragment, and at last the writing of colour \
+         and depth.",
         loop_steps,
     ),
     Figure::new(
@@ -79,26 +80,27 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
 ];
 
-/// The lesson's camera, in a square picture of that side.
-fn to_screen(eye: Vec3, side: u16, zoom: f32) -> anyhow::Result<Mat4> {
+/// The lesson's camera, in a square picture.
+fn to_clip(eye: Vec3, zoom: f32) -> anyhow::Result<Mat4> {
     let view = lookat(eye, Vec3::ZERO, Vec3::Y).context("the eye is at the centre")?;
-    Ok(viewport(f32::from(side), f32::from(side), zoom) * projection(eye.length()) * view)
+    Ok(fit(zoom, Vec2::ONE) * projection(eye.length()) * view)
 }
 
-/// What one of the lesson's shaders makes of a scene, drawn over what is there.
-fn draw(shader: &str, scene: &Scene, target: &mut Target) -> anyhow::Result<()> {
-    method(METHODS, "generic")?(method(SHADERS, shader)?)(scene, target);
+/// What one of the lesson's shaders draws, over what is there.
+fn draw(shader: &str, uniforms: &Uniforms, target: &mut Framebuffer) -> anyhow::Result<()> {
+    method(METHODS, "generic")?(method(SHADERS, shader)?)(uniforms, target);
     Ok(())
 }
 
 /// The model by a shader, from the lesson's eye.
 fn look(shader: &str, side: u16, levels: u16, light: Vec3) -> anyhow::Result<Image> {
     let (model, texture) = (model()?, texture()?);
-    let to_screen = to_screen(Vec3::new(1.0, 1.0, 2.0), side, 0.42)?;
+    let to_clip = to_clip(Vec3::new(1.0, 1.0, 2.0), 0.42)?;
     let normals = corner_normals(&model);
-    let scene = Scene { model: &model, normals, texture: Some(&texture), light, to_screen, levels };
-    let mut target = Target::new(canvas(side));
-    draw(shader, &scene, &mut target)?;
+    let uniforms =
+        Uniforms { model: &model, normals: &normals, texture: Some(&texture), light, to_clip, levels };
+    let mut target = Framebuffer::new(canvas(side));
+    draw(shader, &uniforms, &mut target)?;
     Ok(target.image)
 }
 
@@ -113,13 +115,14 @@ fn four_looks() -> anyhow::Result<Drawing> {
 }
 
 fn loop_steps() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new((-2.6, -8.0), (9.4, 1.5));
+    let mut sheet = Sheet::new((-2.6, -9.4), (9.4, 1.5));
     let at = Vec2::new;
     let steps = [
+        (AMBER, "position", "of every vertex, once"),
+        (SKY, "÷ w", "place in the picture, or none"),
         (AMBER, "triangle", "a constant, or next triangle"),
-        (AMBER, "vertex, 3 times", "place and varying"),
-        (SKY, "÷ w", "behind the eye: left out"),
-        (SKY, "fill, depth test", "pixels, weights"),
+        (AMBER, "corner, 3 times", "varyings"),
+        (SKY, "fill, test", "pixels, weights"),
         (AMBER, "fragment", "a colour, or nothing"),
         (SKY, "write", "colour and depth"),
     ];
@@ -182,16 +185,6 @@ fn calls() -> anyhow::Result<Drawing> {
 fn stairs() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.55, -0.38), (1.5, 1.2));
     let at = Vec2::new;
-    let model = ball(4, 4)?;
-    let scene = Scene {
-        model: &model,
-        normals: Vec::new(),
-        texture: None,
-        light: Vec3::Z,
-        to_screen: Mat4::IDENTITY,
-        levels: 6,
-    };
-    let shader = Quantized::new(&scene);
     sheet.rectangle((-0.5, -0.3), (0.0, 1.1), FAINT, "none");
     sheet.axes((0.0, 0.0), (-0.5, -0.3), (1.45, 1.15), 1.5);
     sheet.dashed((-0.3, -0.3), (1.1, 1.1), GREY, 1.6);
@@ -199,7 +192,7 @@ fn stairs() -> anyhow::Result<Drawing> {
     let mut last: Option<Vec2> = None;
     for n in -50..=145 {
         let i = n as f32 / 100.0 + 0.001;
-        let point = at(i, shader.intensity((), i).max(-0.3));
+        let point = at(i, Quantized.intensity(6.0, i).max(-0.3));
         if let Some(last) = last.filter(|last| (last.y - point.y).abs() < 0.01) {
             sheet.line(last, point, if point.y < 0.0 { RED } else { BLUE }, 3.2);
         }
@@ -241,14 +234,14 @@ fn floors() -> anyhow::Result<Drawing> {
     let mut sheet = Image::new(SIZE[0], 3 * SIZE[1], Format::Rgb);
     for (n, squares) in [64, 3, 1].into_iter().enumerate() {
         let model = floor(squares)?;
-        let mut target = Target::new(Image::new(SIZE[0], SIZE[1], Format::Rgb));
-        let side = f32::from(SIZE[0]);
-        // From a distance of 2; moved up until the floor is in the picture.
-        let to_screen = translate(Vec3::Y * 8.0) * viewport(side, side, 0.245) * projection(2.0);
-        let normals = corner_normals(&model);
-        let scene =
-            Scene { model: &model, normals, texture: Some(&chequers), light: Vec3::Y, to_screen, levels: 1 };
-        draw("flat-texture", &scene, &mut target)?;
+        let mut target = Framebuffer::new(Image::new(SIZE[0], SIZE[1], Format::Rgb));
+        let [width, height] = SIZE.map(f32::from);
+        // From a distance of 2, as wide as the picture; moved up until the floor is in it.
+        let up = translate(Vec3::Y * ((width + 16.0) / height - 1.0));
+        let to_clip = up * scale(Vec3::new(0.49, 0.49 * width / height, 1.0)) * projection(2.0);
+        let uniforms =
+            Uniforms { texture: Some(&chequers), light: Vec3::Y, to_clip, ..Uniforms::new(&model) };
+        draw("flat-texture", &uniforms, &mut target)?;
         paste(&target.image, &mut sheet, [0, n as i32 * i32::from(SIZE[1])]);
     }
     Ok(Drawing::Pixels(sheet, 1))
@@ -307,21 +300,21 @@ fn share() -> anyhow::Result<Drawing> {
 
 /// A square screen before everything else, with holes; corners in pixels, and (u, v).
 struct Screen {
+    side: f32,
     corners: [(Vec3, Vec2); 4],
 }
 
 impl Screen {
+    /// In a picture of that side.
     fn new(side: f32) -> Self {
         let corner = |u: f32, v: f32| {
             (Vec3::new(side * (0.08 + 0.84 * u), side * (0.08 + 0.84 * v), 5.0), Vec2::new(u, v))
         };
-        Self { corners: [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)] }
+        Self { side, corners: [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)] }
     }
 
     /// Of its two triangles.
-    fn corners_of(&self, face: usize) -> [(Vec3, Vec2); 3] {
-        [0, face + 1, face + 2].map(|n| self.corners[n])
-    }
+    const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 
     /// Nothing in a hole.
     fn color(uv: Vec2) -> Option<Color> {
@@ -334,18 +327,23 @@ impl Screen {
 impl Shader for Screen {
     type Constant = ();
     type Varying = Vec2;
+    type Output = Color;
+
+    fn position(&self, vertex: usize) -> Vec4 {
+        let Vec3 { x, y, z } = self.corners[vertex].0;
+        Vec4::new(2.0 * x / self.side - 1.0, 2.0 * y / self.side - 1.0, z, 1.0)
+    }
 
     fn triangle(&self, _: usize) -> Option<()> {
         Some(())
     }
 
-    fn vertex(&self, face: usize, corner: usize) -> (Vec4, Vec2) {
-        let (place, uv) = self.corners_of(face)[corner];
-        (place.extend(1.0), uv)
+    fn corner(&self, face: usize, corner: usize) -> Vec2 {
+        self.corners[Self::TRIANGLES[face][corner] as usize].1
     }
 
-    fn fragment(&self, (): (), uv: Vec2) -> Option<Color> {
-        Self::color(uv)
+    fn fragment(&self, (): (), fragment: Fragment<Vec2>) -> Option<Color> {
+        Self::color(fragment.varying)
     }
 }
 
@@ -353,16 +351,16 @@ fn discard() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 480;
     let ball = ball(48, 80)?;
     let light = Vec3::new(0.4, 0.5, 0.8).normalize();
-    let to_screen = viewport(f32::from(SIDE), f32::from(SIDE), 0.38);
-    let scene =
-        Scene { model: &ball, normals: corner_normals(&ball), texture: None, light, to_screen, levels: 1 };
+    let to_clip = fit(0.38, Vec2::ONE);
+    let normals = corner_normals(&ball);
+    let uniforms = Uniforms { normals: &normals, light, to_clip, ..Uniforms::new(&ball) };
     let screen = Screen::new(f32::from(SIDE));
-    let [mut right, mut wrong] = [(); 2].map(|()| Target::new(canvas(SIDE)));
-    render(&screen, 2, &mut right);
+    let [mut right, mut wrong] = [(); 2].map(|()| Framebuffer::new(canvas(SIDE)));
+    render(&screen, 4, &Screen::TRIANGLES, &mut right);
     // The fault: the depth is kept before the fragment is asked.
-    for face in 0..2 {
-        let corners = screen.corners_of(face);
-        let Target { image, depths } = &mut wrong;
+    for triangle in Screen::TRIANGLES {
+        let corners = triangle.map(|vertex| screen.corners[vertex as usize]);
+        let Framebuffer { image, depths } = &mut wrong;
         fill_nearest(
             corners.map(|corner| corner.0),
             depths,
@@ -375,7 +373,7 @@ fn discard() -> anyhow::Result<Drawing> {
             },
         );
     }
-    draw("gouraud", &scene, &mut right)?;
-    draw("gouraud", &scene, &mut wrong)?;
+    draw("gouraud", &uniforms, &mut right)?;
+    draw("gouraud", &uniforms, &mut wrong)?;
     beside([&right.image, &wrong.image])
 }

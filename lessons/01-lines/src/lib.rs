@@ -57,77 +57,100 @@ pub fn line(a: IVec2, b: IVec2, image: &mut Image, color: Color) {
 }
 // ANCHOR_END: line
 
-/// Makes a [`Line`] of a generic method.
-macro_rules! drawn_and_visited {
-    ($method:expr) => {
-        Line {
-            draw: |a, b, image, color| {
-                $method(a, b, image.bounds(), |x, y, coverage| image.blend(x, y, color, coverage));
-            },
-            visit: |a, b, window, plot| $method(a, b, window, plot),
-        }
-    };
+/// Colours pixels of a picture by how much of each is covered.
+fn blend(image: &mut Image, color: Color) -> impl FnMut(i32, i32, u8) {
+    move |x, y, coverage| image.blend(x, y, color, coverage)
 }
 
 /// The ways to draw a segment, from the first idea to the last.
 pub const METHODS: &[Method<Line>] = &[
     Method {
         name: "step-0.1",
-        run: drawn_and_visited!(slides::step_tenth),
+        run: Line {
+            draw: |a, b, image, color| slides::step_tenth(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::step_tenth(a, b, window, plot),
+        },
         promise: "about ten pixels, spread evenly",
         failure: "gaps beyond 10 px; repeats pixels below; may miss the far end",
     },
     Method {
         name: "step-0.01",
-        run: drawn_and_visited!(slides::step_hundredth),
+        run: Line {
+            draw: |a, b, image, color| slides::step_hundredth(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::step_hundredth(a, b, window, plot),
+        },
         promise: "about a hundred pixels, spread evenly",
         failure: "gaps beyond 100 px; wasteful below; may miss the far end",
     },
     Method {
         name: "per-column",
-        run: drawn_and_visited!(slides::per_column),
+        run: Line {
+            draw: |a, b, image, color| slides::per_column(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::per_column(a, b, window, plot),
+        },
         promise: "one pixel in every column",
         failure: "gaps if steep; nothing if leftward; a wrong pixel if both ends are one; rounds down",
     },
     Method {
         name: "transposed",
-        run: drawn_and_visited!(slides::transposed),
+        run: Line {
+            draw: |a, b, image, color| slides::transposed(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::transposed(a, b, window, plot),
+        },
         promise: "no gaps in any direction, about 1 px off",
         failure: "a wrong pixel if both ends are one; rounds down; over 1 px off beyond 10^5 px, wrong beyond 2^24",
     },
     Method {
         name: "slope",
-        run: drawn_and_visited!(slides::slope),
+        run: Line {
+            draw: |a, b, image, color| slides::slope(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::slope(a, b, window, plot),
+        },
         promise: "no gaps, one addition a pixel",
         failure: "rounds down; rounding adds up: some 0.3 px more after 16,000 px, at worst 4; 11 and 60 after 65,000",
     },
     Method {
         name: "fraction",
-        run: drawn_and_visited!(slides::fraction),
+        run: Line {
+            draw: |a, b, image, color| slides::fraction(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::fraction(a, b, window, plot),
+        },
         promise: "no gaps, rounds to nearest, y is an integer",
         failure: "rounding adds up, more slowly: at worst 0.05 px after a million; a tie may fall either way",
     },
     Method {
         name: "scaled",
-        run: drawn_and_visited!(slides::scaled),
+        run: Line {
+            draw: |a, b, image, color| slides::scaled(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::scaled(a, b, window, plot),
+        },
         promise: "integers only: exact, at most 1/2 px off",
         failure: "32 bits overflow on lines of some 2^30 px; walks what cannot be seen",
     },
     Method {
         name: "listing",
-        run: drawn_and_visited!(slides::listing),
+        run: Line {
+            draw: |a, b, image, color| slides::listing(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| slides::listing(a, b, window, plot),
+        },
         promise: "integers only, compared with 0 (the slides' last version, as printed)",
         failure: "steps before it plots: 1 px ahead, and past the end, on slopes above 1/2; overflows too",
     },
     Method {
         name: "bresenham",
-        run: drawn_and_visited!(bresenham),
+        run: Line {
+            draw: |a, b, image, color| bresenham(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| bresenham(a, b, window, plot),
+        },
         promise: "exact, at most 1/2 px off, any 32-bit ends; costs only what can be seen",
         failure: "jagged: a pixel is the line's or is not",
     },
     Method {
         name: "wu",
-        run: drawn_and_visited!(wu),
+        run: Line {
+            draw: |a, b, image, color| wu(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| wu(a, b, window, plot),
+        },
         promise: "smooth: two pixels share each column, 1/255 px off; any 32-bit ends; costs only what can be seen",
         failure: "twice the pixels, each mixed with what lies below; steep lines are thinner, at 45 degrees by 29 %",
     },

@@ -32,27 +32,25 @@ pub struct Wireframe {
     pub visit: fn(&Model, &mut dyn FnMut([u32; 2])),
 }
 
-/// Makes a [`Wireframe`] of a generic method.
-macro_rules! drawn_and_visited {
-    ($method:expr) => {
-        Wireframe {
-            draw: |model, image, color| $method(model, |edge| draw_edge(model, edge, image, color)),
-            visit: |model, visit| $method(model, visit),
-        }
-    };
-}
-
 /// The ways to draw a model's edges.
 pub const METHODS: &[Method<Wireframe>] = &[
     Method {
         name: "three-per-triangle",
-        run: drawn_and_visited!(three_per_triangle),
+        run: Wireframe {
+            draw: |model, image, color| {
+                three_per_triangle(model, |edge| draw_edge(model, edge, image, color))
+            },
+            visit: |model, visit| three_per_triangle(model, visit),
+        },
         promise: "every side of every triangle; no memory",
         failure: "draws an edge once for each triangle at it: twice the work on a closed surface",
     },
     Method {
         name: "unique-edges",
-        run: drawn_and_visited!(unique_edges),
+        run: Wireframe {
+            draw: |model, image, color| unique_edges(model, |edge| draw_edge(model, edge, image, color)),
+            visit: |model, visit| unique_edges(model, visit),
+        },
         promise: "every edge once; the same pixels",
         failure: "needs 24 bytes a triangle and a sort",
     },

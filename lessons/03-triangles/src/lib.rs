@@ -46,41 +46,46 @@ pub struct Triangle {
 /// Three corners, bounds, and `visit(x, y, weights)`.
 pub type Visit = fn([Vec2; 3], Bounds, &mut dyn FnMut(i32, i32, Vec3));
 
-/// Makes a [`Triangle`] of a generic method.
-macro_rules! drawn_and_visited {
-    ($method:expr) => {
-        Triangle {
-            draw: |corners, image, color| {
-                $method(corners, image.bounds(), |x, y, _| image.set(x, y, color));
-            },
-            visit: |corners, bounds, visit| $method(corners, bounds, visit),
-        }
-    };
+/// Colours pixels of a picture.
+fn paint(image: &mut Image, color: Color) -> impl FnMut(i32, i32, Vec3) {
+    move |x, y, _| image.set(x, y, color)
 }
 
 /// The ways to find a triangle's pixels, from the first idea to the last.
 pub const METHODS: &[Method<Triangle>] = &[
     Method {
         name: "outline",
-        run: drawn_and_visited!(slides::outline),
+        run: Triangle {
+            draw: |corners, image, color| slides::outline(corners, image.bounds(), paint(image, color)),
+            visit: |corners, bounds, visit| slides::outline(corners, bounds, visit),
+        },
         promise: "the three sides, from corners in whole pixels",
         failure: "leaves the inside out; visits corners twice; pixels of the sides lie up to 1 px outside",
     },
     Method {
         name: "sweep",
-        run: drawn_and_visited!(slides::sweep),
+        run: Triangle {
+            draw: |corners, image, color| slides::sweep(corners, image.bounds(), paint(image, color)),
+            visit: |corners, bounds, visit| slides::sweep(corners, bounds, visit),
+        },
         promise: "filled, row by row, from corners in whole pixels",
         failure: "neighbours share the pixels of their side; the middle row is visited twice; up to 1 px outside",
     },
     Method {
         name: "barycentric",
-        run: drawn_and_visited!(barycentric),
+        run: Triangle {
+            draw: |corners, image, color| barycentric(corners, image.bounds(), paint(image, color)),
+            visit: |corners, bounds, visit| barycentric(corners, bounds, visit),
+        },
         promise: "right but for pixel centres on or within rounding of a side; real corners",
         failure: "neighbours share centres on their side; holes and doubles far out, nothing beyond 10^19; tests the whole box",
     },
     Method {
         name: "edges",
-        run: drawn_and_visited!(fill),
+        run: Triangle {
+            draw: |corners, image, color| fill(corners, image.bounds(), paint(image, color)),
+            visit: |corners, bounds, visit| fill(corners, bounds, visit),
+        },
         promise: "exact for corners rounded to 1/256 px: neighbours leave no hole and share no pixel",
         failure: "corners beyond ±2^16 px take a slower path, triangles with one beyond ±2^52 px are left out",
     },

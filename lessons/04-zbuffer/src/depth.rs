@@ -30,6 +30,11 @@ impl<D: Copy + PartialOrd> DepthBuffer<D> {
         self.bounds
     }
 
+    /// Forgets all that was drawn.
+    pub fn clear(&mut self) {
+        self.depths.fill(self.nothing);
+    }
+
     /// The depth of what is seen at a pixel, or `nothing`.
     ///
     /// # Panics
@@ -37,7 +42,7 @@ impl<D: Copy + PartialOrd> DepthBuffer<D> {
     #[inline]
     #[must_use]
     pub fn get(&self, x: i32, y: i32) -> D {
-        self.depths[y as usize * self.width + x as usize]
+        self.depths[self.place(x, y)]
     }
 
     /// Keeps the depth of what is now seen at a pixel.
@@ -46,7 +51,27 @@ impl<D: Copy + PartialOrd> DepthBuffer<D> {
     /// Outside the [`bounds`](Self::bounds).
     #[inline]
     pub fn set(&mut self, x: i32, y: i32, depth: D) {
-        self.depths[y as usize * self.width + x as usize] = depth;
+        let place = self.place(x, y);
+        self.depths[place] = depth;
+    }
+
+    /// Whether that depth is nearer than what is seen at a pixel; of equal depths neither is.
+    ///
+    /// # Panics
+    /// Outside the [`bounds`](Self::bounds).
+    #[inline]
+    #[must_use]
+    pub fn is_nearer(&self, x: i32, y: i32, depth: D) -> bool {
+        depth > self.get(x, y)
+    }
+
+    /// Where a pixel's depth is. A row above or below the picture leads past the end, where indexing panics; a
+    /// column beside it would lead into another row.
+    #[inline]
+    fn place(&self, x: i32, y: i32) -> usize {
+        let (x, y) = (x as usize, y as usize);
+        assert!(x < self.width, "no such column");
+        y.wrapping_mul(self.width).wrapping_add(x)
     }
 }
 
@@ -74,31 +99,39 @@ impl<D: Copy + PartialOrd + Into<f64>> DepthBuffer<D> {
 
 /// The mean of three corners' depths, each with its weight. Measured from the first one, so that a triangle
 /// whose corners have one depth has it everywhere, to the last bit, and equal depths compare as equal.
-// ANCHOR: fill_nearest
+// ANCHOR: fill_depths
 #[inline]
 #[must_use]
 pub fn depth_at(depths: Vec3, weights: Vec3) -> f32 {
     depths.x + weights.y * (depths.y - depths.x) + weights.z * (depths.z - depths.x)
 }
 
-/// Calls `visit(x, y, weights)` for each pixel of a triangle that is nearer than what was drawn there, and
-/// keeps its depth. Corners are x and y in pixels and z the depth, which `store` turns into what is kept. A
-/// triangle with a depth that is not finite is left out.
+/// Calls `visit(x, y, depth, weights)` for each pixel in `bounds` that a triangle covers. Corners are x and y in
+/// pixels and z the depth. A triangle with a depth that is not finite has no plane and is left out.
+#[inline]
+pub fn fill_depths(corners: [Vec3; 3], bounds: Bounds, mut visit: impl FnMut(i32, i32, f32, Vec3)) {
+    let z = Vec3::from_array(corners.map(|corner| corner.z));
+    if z.is_finite() {
+        let corners = corners.map(Vec3::truncate);
+        fill(corners, bounds, move |x, y, weights| visit(x, y, depth_at(z, weights), weights));
+    }
+}
+// ANCHOR_END: fill_depths
+
+/// Calls `visit(x, y, weights)` for each pixel of a triangle that is nearer than what was drawn there, and then
+/// keeps its depth, which `store` turns into what is kept. Corners are as in [`fill_depths`].
+// ANCHOR: fill_nearest
 pub fn fill_nearest<D: Copy + PartialOrd>(
     corners: [Vec3; 3],
     depths: &mut DepthBuffer<D>,
     store: impl Fn(f32) -> D,
     mut visit: impl FnMut(i32, i32, Vec3),
 ) {
-    let z = Vec3::from_array(corners.map(|corner| corner.z));
-    if !z.is_finite() {
-        return;
-    }
-    fill(corners.map(Vec3::truncate), depths.bounds(), |x, y, weights| {
-        let depth = store(depth_at(z, weights));
-        if depth > depths.get(x, y) {
-            depths.set(x, y, depth);
+    fill_depths(corners, depths.bounds(), |x, y, depth, weights| {
+        let depth = store(depth);
+        if depths.is_nearer(x, y, depth) {
             visit(x, y, weights);
+            depths.set(x, y, depth);
         }
     });
 }

@@ -19,7 +19,7 @@ pub mod painter;
 use common::{Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use triangles::flat_intensity;
 
-pub use depth::{DepthBuffer, depth_at, fill_nearest};
+pub use depth::{DepthBuffer, depth_at, fill_depths, fill_nearest};
 pub use painter::painter;
 
 /// This lesson.
@@ -48,18 +48,6 @@ pub struct Visibility {
     pub depth: Option<fn(&[Surface], &Image) -> Image>,
 }
 
-/// Makes a [`Visibility`] of a depth buffer.
-macro_rules! z_buffer {
-    ($method:path) => {
-        Visibility {
-            draw: |surfaces, image| {
-                $method(surfaces, image);
-            },
-            depth: Some(|surfaces, image| $method(surfaces, &mut image.clone()).picture()),
-        }
-    };
-}
-
 /// The ways to see the nearest surface, from the first idea to the last.
 pub const METHODS: &[Method<Visibility>] = &[
     Method {
@@ -70,19 +58,28 @@ pub const METHODS: &[Method<Visibility>] = &[
     },
     Method {
         name: "z16",
-        run: z_buffer!(z16),
+        run: Visibility {
+            draw: |surfaces, image| drop(z16(surfaces, image)),
+            depth: Some(|surfaces, image| z16(surfaces, &mut image.clone()).picture()),
+        },
         promise: "any triangles in any order; 2 bytes a pixel",
         failure: "surfaces closer than 1/65534 of the scene's depth are one: the first drawn wins",
     },
     Method {
         name: "z24",
-        run: z_buffer!(z24),
+        run: Visibility {
+            draw: |surfaces, image| drop(z24(surfaces, image)),
+            depth: Some(|surfaces, image| z24(surfaces, &mut image.clone()).picture()),
+        },
         promise: "any triangles in any order; 256 times finer than z16",
         failure: "surfaces closer than 1/16777214 of the scene's depth; interpolation in f32 is no finer",
     },
     Method {
         name: "z-f32",
-        run: z_buffer!(z_f32),
+        run: Visibility {
+            draw: |surfaces, image| drop(z_f32(surfaces, image)),
+            depth: Some(|surfaces, image| z_f32(surfaces, &mut image.clone()).picture()),
+        },
         promise: "any triangles in any order; needs no near and far; finest near 0",
         failure: "surfaces closer than f32's rounding, about 1e-7 of their depth",
     },

@@ -33,41 +33,43 @@ pub struct Sampler {
     pub sample: fn(&Image, Vec2) -> Color,
 }
 
-/// Makes a [`Sampler`] of a function.
-macro_rules! both {
-    ($sample:path) => {
-        Sampler {
-            draw: |model, texture, light, image| {
-                draw_textured(model, light, image, |uv| $sample(texture, uv))
-            },
-            sample: $sample,
-        }
-    };
-}
-
 /// The ways to find the texel of (u, v), from the first idea to the last.
 pub const METHODS: &[Method<Sampler>] = &[
     Method {
         name: "truncate",
-        run: both!(truncate),
+        run: Sampler {
+            draw: |model, texture, light, image| {
+                draw_textured(model, light, image, |uv| truncate(texture, uv))
+            },
+            sample: truncate,
+        },
         promise: "right inside the texture, as first printed in the slides",
         failure: "black at u = 1 or v = 1 and beyond; down to -1/w it repeats the first texel",
     },
     Method {
         name: "round",
-        run: both!(round),
+        run: Sampler {
+            draw: |model, texture, light, image| draw_textured(model, light, image, |uv| round(texture, uv)),
+            sample: round,
+        },
         promise: "as printed with the slides' shaders",
         failure: "half a texel off: wrong in half of each texel and direction, black from 1 - 1/2w on",
     },
     Method {
         name: "nearest",
-        run: both!(texel),
+        run: Sampler {
+            draw: |model, texture, light, image| draw_textured(model, light, image, |uv| texel(texture, uv)),
+            sample: texel,
+        },
         promise: "the texel that (u, v) is in; outside, the nearest one",
         failure: "blocks when enlarged, sparkles when made smaller",
     },
     Method {
         name: "repeat",
-        run: both!(repeat),
+        run: Sampler {
+            draw: |model, texture, light, image| draw_textured(model, light, image, |uv| repeat(texture, uv)),
+            sample: repeat,
+        },
         promise: "the texel that (u, v) is in; outside, the texture again and again",
         failure: "at u = 1 it is at the left border again: a seam where a texture does not tile",
     },

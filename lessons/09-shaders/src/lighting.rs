@@ -1,11 +1,11 @@
 //! How bright a fragment is.
 
-use common::Vec3;
 use triangles::flat_intensity;
 
-use crate::Scene;
-use crate::program::Varying;
+use crate::Uniforms;
+use crate::shader::Varying;
 
+// ANCHOR: lighting
 /// A way to light a surface.
 pub trait Lighting {
     /// What is the same all over a triangle.
@@ -13,40 +13,32 @@ pub trait Lighting {
     /// What it interpolates.
     type Varying: Varying;
     /// What is the same all over this triangle, or `None` to leave it out.
-    fn triangle(&self, face: usize) -> Option<Self::Constant>;
+    fn triangle(&self, uniforms: &Uniforms, face: usize) -> Option<Self::Constant>;
     /// Its value at a corner.
-    fn vertex(&self, face: usize, corner: usize) -> Self::Varying;
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> Self::Varying;
     /// The brightness at a pixel: 1 is full, 0 black, below 0 drops the fragment.
     fn intensity(&self, constant: Self::Constant, varying: Self::Varying) -> f32;
 }
+// ANCHOR_END: lighting
 
 /// One brightness a triangle, computed and tested once.
-pub struct Flat<'a> {
-    scene: &'a Scene<'a>,
-}
-
-impl<'a> Flat<'a> {
-    /// For a scene.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { scene }
-    }
-}
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Flat;
 
 // ANCHOR: flat
-impl Lighting for Flat<'_> {
+impl Lighting for Flat {
     type Constant = f32;
     type Varying = ();
 
     #[inline]
-    fn triangle(&self, face: usize) -> Option<f32> {
-        let corner = |n| self.scene.model.position(face, n);
-        let intensity = flat_intensity([corner(0), corner(1), corner(2)], self.scene.light);
+    fn triangle(&self, uniforms: &Uniforms, face: usize) -> Option<f32> {
+        let corners = [0, 1, 2].map(|corner| uniforms.model.position(face, corner));
+        let intensity = flat_intensity(corners, uniforms.light);
         (intensity >= 0.0).then_some(intensity)
     }
 
     #[inline]
-    fn vertex(&self, _: usize, _: usize) {}
+    fn corner(&self, _: &Uniforms, _: usize, _: usize) {}
 
     #[inline]
     fn intensity(&self, constant: f32, (): ()) -> f32 {
@@ -56,33 +48,23 @@ impl Lighting for Flat<'_> {
 // ANCHOR_END: flat
 
 /// The brightness at the corners, interpolated.
-pub struct Gouraud<'a> {
-    normals: &'a [[Vec3; 3]],
-    light: Vec3,
-}
-
-impl<'a> Gouraud<'a> {
-    /// For a scene that has normals.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { normals: &scene.normals, light: scene.light }
-    }
-}
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Gouraud;
 
 // ANCHOR: gouraud
-impl Lighting for Gouraud<'_> {
+impl Lighting for Gouraud {
     type Constant = ();
     type Varying = f32;
 
     #[inline]
-    fn triangle(&self, face: usize) -> Option<()> {
+    fn triangle(&self, uniforms: &Uniforms, face: usize) -> Option<()> {
         // Between three corners in the dark no fragment is lit.
-        self.normals[face].iter().any(|normal| normal.dot(self.light) >= 0.0).then_some(())
+        uniforms.normals[face].iter().any(|normal| normal.dot(uniforms.light) >= 0.0).then_some(())
     }
 
     #[inline]
-    fn vertex(&self, face: usize, corner: usize) -> f32 {
-        self.normals[face][corner].dot(self.light)
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> f32 {
+        uniforms.normals[face][corner].dot(uniforms.light)
     }
 
     #[inline]
@@ -93,38 +75,28 @@ impl Lighting for Gouraud<'_> {
 // ANCHOR_END: gouraud
 
 /// Gouraud's brightness, cut down to the nearest lower one of a few steps: ⌊N·min(i, 1)⌋ / N.
-pub struct Quantized<'a> {
-    gouraud: Gouraud<'a>,
-    levels: f32,
-}
-
-impl<'a> Quantized<'a> {
-    /// For a scene that has normals.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { gouraud: Gouraud::new(scene), levels: f32::from(scene.levels) }
-    }
-}
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Quantized;
 
 // ANCHOR: quantized
-impl Lighting for Quantized<'_> {
-    type Constant = ();
+impl Lighting for Quantized {
+    /// The number of steps.
+    type Constant = f32;
     type Varying = f32;
 
     #[inline]
-    fn triangle(&self, face: usize) -> Option<()> {
-        self.gouraud.triangle(face)
+    fn triangle(&self, uniforms: &Uniforms, face: usize) -> Option<f32> {
+        Gouraud.triangle(uniforms, face).map(|()| f32::from(uniforms.levels))
     }
 
     #[inline]
-    fn vertex(&self, face: usize, corner: usize) -> f32 {
-        self.gouraud.vertex(face, corner)
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> f32 {
+        Gouraud.corner(uniforms, face, corner)
     }
 
     #[inline]
-    fn intensity(&self, constant: (), varying: f32) -> f32 {
-        let intensity = self.gouraud.intensity(constant, varying);
-        (intensity.min(1.0) * self.levels).floor() / self.levels
+    fn intensity(&self, levels: f32, varying: f32) -> f32 {
+        (varying.min(1.0) * levels).floor() / levels
     }
 }
 // ANCHOR_END: quantized

@@ -7,12 +7,13 @@ use camera::lookat;
 use common::program::flags::{DepthFlag, LightFlag};
 use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Output, Program, UsageError, run};
-use common::{Attributes, Image, Lesson, Method, Model, Vec3};
+use common::{Attributes, Image, Lesson, Method, Model, Vec2, Vec3};
 use gouraud::corner_normals;
-use shaders::{Choose, Rendering, SHADERS, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::target::Target;
+use shaders::{Draw, Framebuffer, Look, SHADERS, Uniforms, fit};
+use transforms::projection;
 
-/// What the viewport leaves of the picture's side to a length of 1.
+/// What a length of 1 takes up of a picture's smaller side.
 const ZOOM: f32 = 0.4;
 
 #[derive(clap::Args)]
@@ -40,7 +41,7 @@ struct Flags {
 
 /// The model under one shader, or under four in two rows, the first ones on top.
 struct Shaders {
-    shaders: Vec<&'static Rendering>,
+    shaders: Vec<&'static Look>,
     model: Model,
     /// Empty where no shader needs them.
     normals: Vec<[Vec3; 3]>,
@@ -50,10 +51,10 @@ struct Shaders {
 
 impl Program for Shaders {
     type Flags = Flags;
-    type Method = Choose;
+    type Method = fn(&Look) -> Draw;
 
     const LESSON: Lesson = shaders::LESSON;
-    const METHODS: &[Method<Choose>] = shaders::METHODS;
+    const METHODS: &[Method<Self::Method>] = shaders::METHODS;
     const DEFAULT: &str = "generic";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
@@ -75,25 +76,26 @@ impl Program for Shaders {
         Ok(Self { shaders, model, normals, texture, flags })
     }
 
-    fn draw(&mut self, method: &Choose, picture: &mut Image) -> anyhow::Result<Extras> {
+    fn draw(&mut self, method: &Self::Method, picture: &mut Image) -> anyhow::Result<Extras> {
         let flags = &self.flags;
         let columns = if self.shaders.len() == 1 { 1 } else { 2 };
         let (width, height) = (picture.width() / columns, picture.height() / columns);
         let view = projection(flags.view.distance()) * flags.view.look(lookat)?;
-        let scene = Scene {
-            model: &self.model,
-            normals: self.normals.clone(),
+        let uniforms = Uniforms {
+            normals: &self.normals,
             texture: self.texture.as_ref(),
             light: flags.light.direction,
-            to_screen: viewport(width as f32, height as f32, ZOOM) * view,
+            to_clip: fit(ZOOM, Vec2::new(width as f32, height as f32)) * view,
             levels: flags.levels,
+            ..Uniforms::new(&self.model)
         };
+        let mut cell = Framebuffer::new(Image::new(width as u16, height as u16, picture.format()));
         let mut depth = flags.depth.picture(|| picture.clone());
         let mut left_out = 0;
         for (n, shader) in self.shaders.iter().enumerate() {
-            let mut cell = Target::new(Image::new(width as u16, height as u16, picture.format()));
+            cell.clear();
             // A shader may reject a triangle before anyone knows where it is: the largest count is the true one.
-            left_out = left_out.max(method(shader)(&scene, &mut cell));
+            left_out = left_out.max(method(shader)(&uniforms, &mut cell));
             let (column, row) = (n as i32 % columns, columns - 1 - n as i32 / columns);
             paste(&cell.image, picture, column * width, row * height);
             if let Some((_, depth)) = &mut depth {
@@ -103,7 +105,7 @@ impl Program for Shaders {
         Ok(Extras { depth, left_out })
     }
 
-    fn show(&mut self, method: &Choose, output: &Output) -> anyhow::Result<()> {
+    fn show(&mut self, method: &Self::Method, output: &Output) -> anyhow::Result<()> {
         let Some(stops) = self.flags.turntable.stops else { return output.one(self, method) };
         let from = self.flags.view;
         output.series(self, method, stops, |shaders, n| shaders.flags.view = from.turned(n, stops))
@@ -111,7 +113,7 @@ impl Program for Shaders {
 }
 
 /// The shader of that name.
-fn find(name: &str) -> Result<&'static Rendering, UsageError> {
+fn find(name: &str) -> Result<&'static Look, UsageError> {
     let names = || SHADERS.iter().map(|shader| shader.name).collect::<Vec<_>>().join(", ");
     let unknown = || UsageError(format!("--shader {name}: there are {}", names()));
     Method::find(SHADERS, name).map(|shader| &shader.run).ok_or_else(unknown)

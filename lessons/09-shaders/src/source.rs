@@ -1,10 +1,10 @@
 //! Where a fragment's colour comes from, before light.
 
-use common::{Color, Image, Model, Vec2};
+use common::{Color, Vec2};
 use textures::texel;
 
-use crate::Scene;
-use crate::program::Varying;
+use crate::Uniforms;
+use crate::shader::Varying;
 
 // ANCHOR: source
 /// A source of colour.
@@ -12,59 +12,42 @@ pub trait Source {
     /// What it interpolates.
     type Varying: Varying;
     /// Its value at a corner.
-    fn vertex(&self, face: usize, corner: usize) -> Self::Varying;
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> Self::Varying;
     /// The colour at a pixel.
-    fn color(&self, varying: Self::Varying) -> Color;
+    fn color(&self, uniforms: &Uniforms, varying: Self::Varying) -> Color;
 }
 // ANCHOR_END: source
 
 /// White all over.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct White;
-
-impl White {
-    /// The same for every scene.
-    #[must_use]
-    pub fn new(_: &Scene) -> Self {
-        Self
-    }
-}
 
 impl Source for White {
     type Varying = ();
 
     #[inline]
-    fn vertex(&self, _: usize, _: usize) {}
+    fn corner(&self, _: &Uniforms, _: usize, _: usize) {}
 
     #[inline]
-    fn color(&self, (): ()) -> Color {
+    fn color(&self, _: &Uniforms, (): ()) -> Color {
         Color::WHITE
     }
 }
 
-/// The scene's texture; black without one.
-pub struct Texture<'a> {
-    model: &'a Model,
-    texture: Option<&'a Image>,
-}
+/// The texture; black without one.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Texture;
 
-impl<'a> Texture<'a> {
-    /// The scene's.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { model: scene.model, texture: scene.texture }
-    }
-}
-
-impl Source for Texture<'_> {
+impl Source for Texture {
     type Varying = Vec2;
 
     #[inline]
-    fn vertex(&self, face: usize, corner: usize) -> Vec2 {
-        self.model.uv(face, corner)
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> Vec2 {
+        uniforms.model.uv(face, corner)
     }
 
     #[inline]
-    fn color(&self, uv: Vec2) -> Color {
-        self.texture.map_or(Color::BLACK, |texture| texel(texture, uv))
+    fn color(&self, uniforms: &Uniforms, uv: Vec2) -> Color {
+        uniforms.texture.map_or(Color::BLACK, |texture| texel(texture, uv))
     }
 }

@@ -1,4 +1,4 @@
-//! A lit scene under a camera, in `f64`: each point of the picture by itself.
+//! A lit model under a camera, in `f64`: each point of the picture by itself.
 //!
 //! The surface is smooth: normals are interpolated and made 1 long before the brightness is computed, and
 //! everything is interpolated on the surface, not in the picture.
@@ -19,7 +19,7 @@ pub struct Face {
 }
 
 /// What is looked at, and how.
-pub struct Scene<'a> {
+pub struct Subject<'a> {
     /// The triangles.
     pub faces: Vec<Face>,
     /// The texture; without one all is white.
@@ -49,19 +49,19 @@ struct Corner {
     w: f64,
 }
 
-/// The picture of a scene, `side`×`side` pixels in rows from the bottom, as red, green and blue from 0 to 255.
+/// The picture of it, `side`×`side` pixels in rows from the bottom, as red, green and blue from 0 to 255.
 /// Each is the mean of `samples`×`samples` points, evenly spread over the pixel. Black where nothing is seen:
 /// what faces away from the light is left out, and so are triangles with a corner at w ≤ 1e-6.
 #[must_use]
-pub fn render(scene: &Scene, side: usize, samples: usize) -> Vec<[f64; 3]> {
-    let distance = (scene.eye.as_dvec3() - scene.center.as_dvec3()).length();
+pub fn sampled(subject: &Subject, side: usize, samples: usize) -> Vec<[f64; 3]> {
+    let distance = (subject.eye.as_dvec3() - subject.center.as_dvec3()).length();
     let place = |point: Vec3| {
-        let p = seen(point.as_dvec3(), scene.eye, scene.center, scene.up);
+        let p = seen(point.as_dvec3(), subject.eye, subject.center, subject.up);
         let w = 1.0 - p.z / distance;
-        let pixel = |coordinate: f64| side as f64 * (0.5 + scene.zoom * coordinate / w);
+        let pixel = |coordinate: f64| side as f64 * (0.5 + subject.zoom * coordinate / w);
         Corner { at: [pixel(p.x), pixel(p.y)], depth: p.z / w, w }
     };
-    let placed: Vec<(&Face, [Corner; 3])> = scene
+    let placed: Vec<(&Face, [Corner; 3])> = subject
         .faces
         .iter()
         .map(|face| (face, face.corners.map(place)))
@@ -84,7 +84,7 @@ pub fn render(scene: &Scene, side: usize, samples: usize) -> Vec<[f64; 3]> {
             for line in 0..samples {
                 let y = row as f64 + (line as f64 + 0.5) / samples as f64;
                 let seen = &mut nearest[line * points..][..points];
-                draw_line(scene, placed[n].0, &placed[n].1, y, samples as f64, seen);
+                draw_line(subject, placed[n].0, &placed[n].1, y, samples as f64, seen);
             }
         }
         for column in 0..side {
@@ -104,7 +104,7 @@ fn span(corners: &[Corner; 3], axis: usize) -> [f64; 2] {
 
 /// Draws what of a triangle lies at the height y, `density` points a pixel.
 fn draw_line(
-    scene: &Scene,
+    subject: &Subject,
     face: &Face,
     corners: &[Corner; 3],
     y: f64,
@@ -129,7 +129,7 @@ fn draw_line(
         }
         let depth = (0..3).map(|i| weights[i] * corners[i].depth).sum();
         if depth > nearest.0
-            && let Some(color) = color(scene, face, [0, 1, 2].map(|i| weights[i] / corners[i].w))
+            && let Some(color) = color(subject, face, [0, 1, 2].map(|i| weights[i] / corners[i].w))
         {
             *nearest = (depth, color);
         }
@@ -137,15 +137,15 @@ fn draw_line(
 }
 
 /// The colour of a point of a triangle by its weights, which need not add up to 1; `None` in the dark.
-fn color(scene: &Scene, face: &Face, weights: [f64; 3]) -> Option<[f64; 3]> {
+fn color(subject: &Subject, face: &Face, weights: [f64; 3]) -> Option<[f64; 3]> {
     let sum: f64 = weights.iter().sum();
     let normal: DVec3 = (0..3).map(|i| face.normals[i].as_dvec3() * weights[i]).sum();
-    let intensity = normal.normalize().dot(scene.light);
+    let intensity = normal.normalize().dot(subject.light);
     if intensity < 0.0 {
         return None;
     }
     let white = [255.0; 3];
-    let base = scene.texture.map_or(white, |texture| {
+    let base = subject.texture.map_or(white, |texture| {
         let coordinate = |of: fn(Vec2) -> f32, size: i32| {
             let mean: f64 = (0..3).map(|i| f64::from(of(face.uvs[i])) * weights[i] / sum).sum();
             ((mean * f64::from(size)).floor() as i32).clamp(0, size - 1)
@@ -155,7 +155,7 @@ fn color(scene: &Scene, face: &Face, weights: [f64; 3]) -> Option<[f64; 3]> {
         let Color { r, g, b, .. } = texel.unwrap_or(Color::BLACK);
         [r, g, b].map(f64::from)
     });
-    let tone = (scene.tone)(intensity.min(1.0));
+    let tone = (subject.tone)(intensity.min(1.0));
     Some(base.map(|channel| channel * tone))
 }
 
@@ -164,14 +164,14 @@ mod tests {
     use super::*;
     use common::Format;
 
-    fn square(texture: Option<&Image>) -> Scene<'_> {
+    fn square(texture: Option<&Image>) -> Subject<'_> {
         let [a, b, c, d] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(Vec2::from);
         let face = |corners: [Vec2; 3]| Face {
             corners: corners.map(|corner| corner.extend(0.0)),
             normals: [Vec3::Z; 3],
             uvs: corners.map(|corner| corner / 2.0 + 0.5),
         };
-        Scene {
+        Subject {
             faces: vec![face([a, b, c]), face([a, c, d])],
             texture,
             light: DVec3::new(0.0, 0.6, 0.8),
@@ -185,7 +185,7 @@ mod tests {
 
     #[test]
     fn a_square_is_as_large_and_as_bright_as_it_should_be() {
-        let picture = render(&square(None), 8, 2);
+        let picture = sampled(&square(None), 8, 2);
         for (n, pixel) in picture.iter().enumerate() {
             let inside = (2..6).contains(&(n % 8)) && (2..6).contains(&(n / 8));
             let expected = if inside { 255.0 * 0.8 } else { 0.0 };
@@ -196,7 +196,7 @@ mod tests {
     #[test]
     fn half_a_pixel_is_half_as_bright() {
         // The square takes up 5/2 of 5 pixels: the outermost ones by 3/4 in one direction.
-        let picture = render(&square(None), 5, 4);
+        let picture = sampled(&square(None), 5, 4);
         let row: Vec<f64> = (0..5).map(|x| picture[2 * 5 + x][0] / 255.0 / 0.8).collect();
         for (got, expected) in row.iter().zip([0.0, 0.75, 1.0, 0.75, 0.0]) {
             assert!((got - expected).abs() < 1e-6, "{row:?}");
@@ -208,8 +208,8 @@ mod tests {
         // Two columns, black and white. Seen from the right, the middle of the square stays in the middle.
         let mut texture = Image::new(2, 1, Format::Rgb);
         texture.set(1, 0, Color::WHITE);
-        let scene = Scene { eye: Vec3::new(1.5, 0.0, 2.0), light: DVec3::Z, ..square(Some(&texture)) };
-        let picture = render(&scene, 64, 1);
+        let subject = Subject { eye: Vec3::new(1.5, 0.0, 2.0), light: DVec3::Z, ..square(Some(&texture)) };
+        let picture = sampled(&subject, 64, 1);
         let row = |x: usize| picture[32 * 64 + x][0];
         assert!(row(31) == 0.0 && (row(32) - 255.0).abs() < 1e-9);
     }

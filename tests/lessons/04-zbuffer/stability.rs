@@ -1,7 +1,9 @@
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use checks::visibility::nearest;
 use common::{Color, Format, Image, Model, Vec2, Vec3};
 use verify::method;
-use zbuffer::{METHODS, Surface, surfaces, z_f32};
+use zbuffer::{DepthBuffer, METHODS, Surface, surfaces, z_f32};
 
 /// What must happen.
 #[derive(Debug)]
@@ -279,4 +281,24 @@ fn what_faces_away_from_the_light_is_left_out() {
     assert_eq!(levels(Vec3::Z), [255, 0]);
     assert_eq!(levels(Vec3::NEG_Z), [255, 0]);
     assert_eq!(levels(Vec3::X), [0, 0, 0]);
+}
+
+/// Beside the picture there is no depth, least of all that of a pixel in the next row.
+#[test]
+fn a_depth_buffer_has_no_pixel_outside() {
+    let mut depths = DepthBuffer::new(&Image::new(3, 2, Format::Rgb), f32::NEG_INFINITY);
+    for (x, y) in [(0, 0), (2, 0), (0, 1), (2, 1)] {
+        assert!(depths.is_nearer(x, y, 1.0));
+        depths.set(x, y, 1.0);
+        assert!(depths.get(x, y) == 1.0 && !depths.is_nearer(x, y, 1.0));
+    }
+    for (x, y) in
+        [(3, 0), (3, 1), (-1, 0), (-1, 1), (0, -1), (0, 2), (i32::MIN, 1), (1, i32::MIN), (2, i32::MAX)]
+    {
+        let outside = |what: &mut dyn FnMut()| catch_unwind(AssertUnwindSafe(what)).is_err();
+        assert!(outside(&mut || _ = depths.get(x, y)), "({x}, {y})");
+        assert!(outside(&mut || depths.set(x, y, 5.0)), "({x}, {y})");
+    }
+    depths.clear();
+    assert!(depths == DepthBuffer::new(&Image::new(3, 2, Format::Rgb), f32::NEG_INFINITY));
 }

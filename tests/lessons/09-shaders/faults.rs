@@ -1,6 +1,6 @@
 //! Each fault stands in the code here and is recognised by its result alone.
 
-use shaders_tasks::{Shaders, draw};
+use shaders_tasks::Shaders;
 
 use crate::JUDGE;
 
@@ -11,24 +11,24 @@ fn the_reference_earns_ten_points_for_any_seed() {
 
 #[test]
 fn each_fault_is_recognised() {
-    use shaders::Scene;
     use shaders::lighting::{Gouraud, Lighting};
     use shaders::source::{Texture, White};
+    use shaders::{Uniforms, draw};
 
     /// Gouraud's lighting with a faulty brightness at the pixel. It leaves no triangle out, as a student's.
-    struct Faulty<'a>(Gouraud<'a>, fn(f32) -> f32);
+    struct Faulty(fn(f32) -> f32);
 
-    impl Lighting for Faulty<'_> {
+    impl Lighting for Faulty {
         type Constant = ();
         type Varying = f32;
-        fn triangle(&self, _: usize) -> Option<()> {
+        fn triangle(&self, _: &Uniforms, _: usize) -> Option<()> {
             Some(())
         }
-        fn vertex(&self, face: usize, corner: usize) -> f32 {
-            self.0.vertex(face, corner)
+        fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> f32 {
+            Gouraud.corner(uniforms, face, corner)
         }
-        fn intensity(&self, constant: (), varying: f32) -> f32 {
-            (self.1)(self.0.intensity(constant, varying))
+        fn intensity(&self, (): (), varying: f32) -> f32 {
+            (self.0)(varying)
         }
     }
 
@@ -36,13 +36,9 @@ fn each_fault_is_recognised() {
     let gouraud = |gouraud, check, words| {
         JUDGE.recognises(&Shaders { gouraud, ..reference }, check, words);
     };
+    gouraud(|uniforms, target| draw(uniforms, White, Faulty(|i| -i), target), "gouraud", "behind");
     gouraud(
-        |scene, target| draw(scene, target, White, Faulty(Gouraud::new(scene), |i| -i)),
-        "gouraud",
-        "behind",
-    );
-    gouraud(
-        |scene, target| draw(scene, target, White, Faulty(Gouraud::new(scene), |i| i.max(0.0))),
+        |uniforms, target| draw(uniforms, White, Faulty(|i| i.max(0.0)), target),
         "dropped",
         "drawn black",
     );
@@ -50,17 +46,16 @@ fn each_fault_is_recognised() {
         JUDGE.recognises(&Shaders { quantized, ..reference }, "steps", words);
     };
     quantized(
-        |scene, target| draw(scene, target, White, Faulty(Gouraud::new(scene), |i| (i * 5.0).round() / 5.0)),
+        |uniforms, target| draw(uniforms, White, Faulty(|i| (i * 5.0).round() / 5.0), target),
         "one step too bright",
     );
-    quantized(|scene, target| draw(scene, target, White, Gouraud::new(scene)), "there are no steps");
+    quantized(|uniforms, target| draw(uniforms, White, Gouraud, target), "there are no steps");
     let upside_down = Shaders {
-        gouraud_texture: |scene, target| {
-            let mut texture = scene.texture.expect("this look is given one").clone();
+        gouraud_texture: |uniforms, target| {
+            let mut texture = uniforms.texture.expect("this look is given one").clone();
             texture.flip_vertically();
             // In the check the square is as bright above as below.
-            let scene = Scene { texture: Some(&texture), normals: scene.normals.clone(), ..*scene };
-            draw(&scene, target, Texture::new(&scene), Gouraud::new(&scene))
+            draw(&Uniforms { texture: Some(&texture), ..*uniforms }, Texture, Gouraud, target)
         },
         ..reference
     };

@@ -8,17 +8,18 @@ use std::process::ExitCode;
 use common::Color;
 use judge::causes::{mirrored, picture, picture_and};
 use judge::{Cause, Judge};
+use shaders::draw;
 use shaders::lighting::{Gouraud, Quantized};
 use shaders::source::{Texture, White};
-use shaders_tasks::{MISSION, STEPS, Shaders, draw};
+use shaders_tasks::{MISSION, STEPS, Shaders};
 use tasks::Raw;
 
 const JUDGE: Judge<Shaders> = Judge {
     mission: MISSION,
     reference: Shaders {
-        gouraud: |scene, target| draw(scene, target, White, Gouraud::new(scene)),
-        gouraud_texture: |scene, target| draw(scene, target, Texture::new(scene), Gouraud::new(scene)),
-        quantized: |scene, target| draw(scene, target, White, Quantized::new(scene)),
+        gouraud: |uniforms, target| draw(uniforms, White, Gouraud, target),
+        gouraud_texture: |uniforms, target| draw(uniforms, Texture, Gouraud, target),
+        quantized: |uniforms, target| draw(uniforms, White, Quantized, target),
     },
     causes: &[
         ("gouraud", || {

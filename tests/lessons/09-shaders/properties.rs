@@ -2,7 +2,7 @@ use camera::lookat;
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3};
 use gouraud::corner_normals;
 use proptest::prelude::*;
-use shaders::{METHODS, SHADERS, Scene, Target};
+use shaders::{Framebuffer, METHODS, SHADERS, Uniforms, fit};
 use transforms::{place, projection, viewport};
 use verify::method;
 
@@ -43,24 +43,23 @@ fn eye_and_center() -> impl Strategy<Value = (Vec3, Vec3)> {
         .prop_map(move |(eye, c)| (snapped(eye), snapped(c)))
 }
 
-fn to_screen(eye: Vec3, center: Vec3) -> Mat4 {
-    let side = f32::from(SIDE);
-    viewport(side, side, 0.4) * projection(eye.distance(center)) * lookat(eye, center, Vec3::Y).unwrap()
+fn to_clip(eye: Vec3, center: Vec3) -> Mat4 {
+    fit(0.4, Vec2::ONE) * projection(eye.distance(center)) * lookat(eye, center, Vec3::Y).unwrap()
 }
 
 fn draw(
     model: &Model,
     texture: &Image,
-    to_screen: Mat4,
+    to_clip: Mat4,
     light: Vec3,
     levels: u16,
     shader: &str,
     way: &str,
-) -> (Target, usize) {
+) -> (Framebuffer, usize) {
     let normals = corner_normals(model);
-    let scene = Scene { model, normals, texture: Some(texture), light, to_screen, levels };
-    let mut target = Target::new(Image::new(SIDE, SIDE, Format::Rgb));
-    let left_out = method(METHODS, way)(method(SHADERS, shader))(&scene, &mut target);
+    let uniforms = Uniforms { model, normals: &normals, texture: Some(texture), light, to_clip, levels };
+    let mut target = Framebuffer::new(Image::new(SIDE, SIDE, Format::Rgb));
+    let left_out = method(METHODS, way)(method(SHADERS, shader))(&uniforms, &mut target);
     (target, left_out)
 }
 
@@ -85,7 +84,7 @@ proptest! {
         let (model, texture) = (sphere(Vec3::ZERO), texture());
         for shader in SHADERS {
             let [a, b] = ["dyn", "generic"].map(|way| {
-                draw(&model, &texture, to_screen(eye, center), light.0.normalize(), levels, shader.name, way)
+                draw(&model, &texture, to_clip(eye, center), light.0.normalize(), levels, shader.name, way)
             });
             prop_assert!(a.0.image == b.0.image && a.0.depths == b.0.depths && a.1 == b.1, "{}", shader.name);
         }
@@ -101,12 +100,13 @@ proptest! {
         let offset = Vec3::new(offset.0 as f32, offset.1 as f32, offset.2 as f32) / 8.0;
         let texture = texture();
         let [(here, m), (there, n)] =
-            [Vec3::ZERO, offset].map(|by| (sphere(by), to_screen(eye + by, center + by)));
+            [Vec3::ZERO, offset].map(|by| (sphere(by), to_clip(eye + by, center + by)));
         let mut sides = Vec::new();
         for (a, b) in here.faces().zip(there.faces()) {
             prop_assert!(a.iter().zip(b).all(|(a, b)| *a + offset == b), "the sums are exact");
-            let [Some(a), Some(b)] = [(&m, a), (&n, b)].map(|(m, corners)| {
-                let [a, b, c] = corners.map(|corner| place(m, corner));
+            let window = viewport(f32::from(SIDE), f32::from(SIDE), 0.5);
+            let [Some(a), Some(b)] = [(window * m, a), (window * n, b)].map(|(m, corners)| {
+                let [a, b, c] = corners.map(|corner| place(&m, corner));
                 Some([a?, b?, c?])
             }) else { continue };
             let moved = a.iter().zip(b).map(|(a, b)| a.truncate().distance(b.truncate())).fold(0.0, f32::max);

@@ -49,6 +49,23 @@ fn a_checkered_floor_warps() {
     assert_similar(&LESSON, "floor", &picture);
 }
 
+/// A picture that is wider, or higher, than a square shows more beside the model, which keeps its shape and size.
+#[test]
+fn no_size_squashes_the_model() {
+    let sphere = |size: &str| {
+        draw("shaders", &[&SCENE[2..], &["--shader", "gouraud-texture", "--size", size]].concat())
+    };
+    let square = sphere("300x300");
+    for (size, left, bottom) in [("600x300", 150, 0), ("300x480", 0, 90)] {
+        let picture = sphere(size);
+        let inside = |x: i32, y: i32| square.get(x - left, y - bottom);
+        let moved =
+            picture.pixels().filter(|&(x, y, color)| inside(x, y).unwrap_or(Color::BLACK) != color).count();
+        // Sums with a larger half are rounded otherwise: a corner may move by 1/256 px.
+        assert!(moved < 90, "{size}: {moved} pixels differ");
+    }
+}
+
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {

@@ -2,33 +2,23 @@
 use common::{Color, Vec2};
 
 // Given: the traits, what is drawn, and all other parts of a look.
-pub use shaders::{Scene, lighting::Lighting, source::Source};
+pub use shaders::{Uniforms, lighting::Lighting, source::Source};
 
 /// The brightness at the corners, interpolated.
-pub struct Gouraud<'a> {
-    scene: &'a Scene<'a>,
-}
+pub struct Gouraud;
 
-impl<'a> Gouraud<'a> {
-    /// For a scene that has normals.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { scene }
-    }
-}
-
-impl Lighting for Gouraud<'_> {
+impl Lighting for Gouraud {
     type Constant = ();
     type Varying = f32;
 
     /// Leaves no triangle out.
-    fn triangle(&self, _: usize) -> Option<()> {
+    fn triangle(&self, _: &Uniforms, _: usize) -> Option<()> {
         Some(())
     }
 
     /// The cosine between the corner's normal and the light.
-    fn vertex(&self, face: usize, corner: usize) -> f32 {
-        self.scene.normals[face][corner].dot(self.scene.light)
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> f32 {
+        uniforms.normals[face][corner].dot(uniforms.light)
     }
 
     /// The brightness at a pixel, from what was interpolated; below 0 the fragment is dropped.
@@ -38,62 +28,42 @@ impl Lighting for Gouraud<'_> {
 }
 
 /// Gouraud's brightness in steps.
-pub struct Quantized<'a> {
-    gouraud: Gouraud<'a>,
-    levels: f32,
-}
+pub struct Quantized;
 
-impl<'a> Quantized<'a> {
-    /// For a scene that has normals.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { gouraud: Gouraud::new(scene), levels: f32::from(scene.levels) }
-    }
-}
-
-impl Lighting for Quantized<'_> {
-    type Constant = ();
+impl Lighting for Quantized {
+    /// The number of levels N.
+    type Constant = f32;
     type Varying = f32;
 
     /// Leaves no triangle out.
-    fn triangle(&self, _: usize) -> Option<()> {
-        Some(())
+    fn triangle(&self, uniforms: &Uniforms, _: usize) -> Option<f32> {
+        Some(f32::from(uniforms.levels))
     }
 
     /// As [`Gouraud`]'s.
-    fn vertex(&self, face: usize, corner: usize) -> f32 {
-        self.gouraud.vertex(face, corner)
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> f32 {
+        Gouraud.corner(uniforms, face, corner)
     }
 
     /// ⌊N·min(i, 1)⌋ / N for an interpolated brightness i and N levels.
-    fn intensity(&self, (): (), varying: f32) -> f32 {
-        (varying.min(1.0) * self.levels).floor() / self.levels
+    fn intensity(&self, levels: f32, varying: f32) -> f32 {
+        (varying.min(1.0) * levels).floor() / levels
     }
 }
 
-/// The scene's texture.
-pub struct Texture<'a> {
-    scene: &'a Scene<'a>,
-}
+/// The texture.
+pub struct Texture;
 
-impl<'a> Texture<'a> {
-    /// For a scene that has a texture.
-    #[must_use]
-    pub fn new(scene: &'a Scene) -> Self {
-        Self { scene }
-    }
-}
-
-impl Source for Texture<'_> {
+impl Source for Texture {
     type Varying = Vec2;
 
     /// The corner's (u, v).
-    fn vertex(&self, face: usize, corner: usize) -> Vec2 {
-        self.scene.model.uv(face, corner)
+    fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> Vec2 {
+        uniforms.model.uv(face, corner)
     }
 
     /// The texel at the interpolated (u, v); black without a texture.
-    fn color(&self, uv: Vec2) -> Color {
-        self.scene.texture.map_or(Color::BLACK, |texture| textures::texel(texture, uv))
+    fn color(&self, uniforms: &Uniforms, uv: Vec2) -> Color {
+        uniforms.texture.map_or(Color::BLACK, |texture| textures::texel(texture, uv))
     }
 }

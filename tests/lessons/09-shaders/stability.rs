@@ -1,10 +1,13 @@
+use std::cell::RefCell;
+
 use checks::view::on_level;
-use common::{Attributes, Color, DVec3, Format, Image, Mat4, Model, Vec3, Vec4};
+use common::{Attributes, Bounds, Color, DVec3, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use gouraud::corner_normals;
 use shaders::lighting::{Lighting, Quantized};
-use shaders::program::{Shader, render};
-use shaders::{METHODS, SHADERS, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::shader::{Fragment, Shader, render};
+use shaders::target::Target;
+use shaders::{Framebuffer, METHODS, SHADERS, Uniforms, fit};
+use transforms::projection;
 use verify::{SPHERE, method};
 
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
@@ -13,15 +16,15 @@ fn sphere() -> Model {
     Model::read(SPHERE.as_ref(), BOTH).unwrap()
 }
 
-fn scene<'a>(model: &'a Model, texture: &'a Image, to_screen: Mat4) -> Scene<'a> {
-    let normals = corner_normals(model);
-    Scene { model, normals, texture: Some(texture), light: Vec3::Z, to_screen, levels: 6 }
+/// A square picture in which a length of 1 is so much of the side, from a distance.
+fn to_clip(zoom: f32, distance: f32) -> Mat4 {
+    fit(zoom, Vec2::ONE) * projection(distance)
 }
 
 /// What a shader draws by a method into a square picture: the target, and how many triangles were left out.
-fn drawn(scene: &Scene, shader: &str, way: &str, side: u16) -> (Target, usize) {
-    let mut target = Target::new(Image::new(side, side, Format::Rgb));
-    let left_out = method(METHODS, way)(method(SHADERS, shader))(scene, &mut target);
+fn drawn(uniforms: &Uniforms, shader: &str, way: &str, side: u16) -> (Framebuffer, usize) {
+    let mut target = Framebuffer::new(Image::new(side, side, Format::Rgb));
+    let left_out = method(METHODS, way)(method(SHADERS, shader))(uniforms, &mut target);
     (target, left_out)
 }
 
@@ -38,8 +41,9 @@ fn texture() -> Image {
 #[test]
 fn the_shaders_draw_what_lessons_4_to_6_drew() {
     let (model, texture) = (sphere(), texture());
-    let to_screen = viewport(200.0, 200.0, 0.5) * projection(f32::INFINITY);
-    let all = scene(&model, &texture, to_screen);
+    let normals = corner_normals(&model);
+    let to_clip = to_clip(0.5, f32::INFINITY);
+    let all = Uniforms { normals: &normals, texture: Some(&texture), to_clip, ..Uniforms::new(&model) };
     let blank = Image::new(200, 200, Format::Rgb);
 
     let mut flat = blank.clone();
@@ -72,18 +76,22 @@ struct Holes;
 impl Shader for Holes {
     type Constant = usize;
     type Varying = ();
+    type Output = Color;
+
+    /// Three for each triangle, that covers the whole picture.
+    fn position(&self, vertex: usize) -> Vec4 {
+        let (x, y) = [(-1.125, -1.125), (3.125, -1.125), (-1.125, 3.125)][vertex % 3];
+        Vec4::new(x, y, [2.0, 1.0, 9.0][vertex / 3], 1.0)
+    }
 
     fn triangle(&self, face: usize) -> Option<usize> {
         // The third triangle is rejected: it would cover everything.
         (face < 2).then_some(face)
     }
 
-    fn vertex(&self, face: usize, corner: usize) -> (Vec4, ()) {
-        let (x, y) = [(-1.0, -1.0), (33.0, -1.0), (-1.0, 33.0)][corner];
-        (Vec4::new(x, y, [2.0, 1.0, 9.0][face], 1.0), ())
-    }
+    fn corner(&self, _: usize, _: usize) {}
 
-    fn fragment(&self, face: usize, (): ()) -> Option<Color> {
+    fn fragment(&self, face: usize, _: Fragment<()>) -> Option<Color> {
         match face {
             0 => None,
             _ => Some(Color::RED),
@@ -94,14 +102,18 @@ impl Shader for Holes {
 /// What is dropped in front leaves neither colour nor depth, so that what lies behind it is seen.
 #[test]
 fn a_discarded_fragment_leaves_colour_and_depth_alone() {
-    let mut target = Target::new(Image::new(16, 16, Format::Rgb));
-    assert_eq!(render(&Holes, 3, &mut target), 0);
+    let triangles = [[0, 1, 2], [3, 4, 5], [6, 7, 8]];
+    let mut target = Framebuffer::new(Image::new(16, 16, Format::Rgb));
+    assert_eq!(render(&Holes, 9, &triangles, &mut target), 0);
     for (x, y, color) in target.image.pixels() {
         assert_eq!((color, target.depths.get(x, y)), (Color::RED, 1.0));
     }
-    let mut empty = Target::new(Image::new(16, 16, Format::Rgb));
-    render(&Holes, 1, &mut empty);
-    assert!(empty.depths == Target::new(Image::new(16, 16, Format::Rgb)).depths);
+    let mut empty = Framebuffer::new(Image::new(16, 16, Format::Rgb));
+    render(&Holes, 3, &triangles[..1], &mut empty);
+    let nothing = Framebuffer::new(Image::new(16, 16, Format::Rgb));
+    assert!(empty.depths == nothing.depths);
+    target.clear();
+    assert!(target.depths == nothing.depths && target.image == nothing.image);
 }
 
 /// From the dark side all is dropped, triangles or fragments: not one depth is kept.
@@ -109,12 +121,13 @@ fn a_discarded_fragment_leaves_colour_and_depth_alone() {
 fn the_dark_side_is_dropped() {
     let text = b"v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n";
     let (model, texture) = (Model::parse(text, BOTH).unwrap(), texture());
-    let mut all = scene(&model, &texture, viewport(20.0, 20.0, 0.5));
-    all.light = Vec3::new(0.0, 0.6, -0.8);
+    let light = Vec3::new(0.0, 0.6, -0.8);
+    let normals = corner_normals(&model);
+    let all = Uniforms { normals: &normals, texture: Some(&texture), light, ..Uniforms::new(&model) };
     for shader in SHADERS {
         for way in METHODS {
             let (target, _) = drawn(&all, shader.name, way.name, 20);
-            let blank = Target::new(Image::new(20, 20, Format::Rgb));
+            let blank = Framebuffer::new(Image::new(20, 20, Format::Rgb));
             assert!(target.depths == blank.depths && target.image == blank.image, "{}", shader.name);
         }
     }
@@ -123,14 +136,11 @@ fn the_dark_side_is_dropped() {
 /// ⌊N·min(i, 1)⌋ / N, in whole numbers: i = n/240 for N that divide 240, where every quotient is exact enough.
 #[test]
 fn quantized_shows_as_many_levels_as_asked_for() {
-    let (model, texture) = (sphere(), texture());
-    for levels in [1, 2, 3, 4, 5, 6, 240] {
-        let all = Scene { levels, ..scene(&model, &texture, Mat4::IDENTITY) };
-        let shader = Quantized::new(&all);
+    for levels in [1_u16, 2, 3, 4, 5, 6, 240] {
         let mut seen = Vec::new();
         for n in -240..=480_i32 {
             // In the middle between two of 240 steps, so that rounding has no say.
-            let intensity = shader.intensity((), (n as f32 + 0.5) / 240.0);
+            let intensity = Quantized.intensity(levels.into(), (n as f32 + 0.5) / 240.0);
             let steps = (i64::from(n.min(239)) * i64::from(levels)).div_euclid(240);
             let expected = if n >= 240 { 1.0 } else { steps as f64 / f64::from(levels) };
             assert!((f64::from(intensity) - expected).abs() < 1e-6, "{levels}: {n}");
@@ -145,8 +155,9 @@ fn quantized_shows_as_many_levels_as_asked_for() {
 /// With one level all is black but where the light falls straight, and nothing there is dropped.
 #[test]
 fn one_level_is_black() {
-    let (model, texture) = (sphere(), texture());
-    let one = Scene { levels: 1, ..scene(&model, &texture, viewport(99.0, 99.0, 0.5)) };
+    let model = sphere();
+    let normals = corner_normals(&model);
+    let one = Uniforms { levels: 1, normals: &normals, ..Uniforms::new(&model) };
     let (target, _) = drawn(&one, "quantized", "generic", 99);
     let (smooth, _) = drawn(&one, "gouraud", "generic", 99);
     assert!(target.image.pixels().all(|pixel| pixel.2 == Color::BLACK || pixel.2 == Color::WHITE));
@@ -160,9 +171,14 @@ fn what_reaches_behind_the_eye_is_left_out_and_counted() {
     let text = b"v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 2\nv 0 0 9\nvt 0 0\nvn 0 0 1\n\
                  f 1/1/1 2/1/1 3/1/1\nf 1/1/1 2/1/1 4/1/1\nf 1/1/1 2/1/1 5/1/1\nf 4/1/1 4/1/1 5/1/1\n";
     let (model, texture) = (Model::parse(text, BOTH).unwrap(), texture());
-    let to_screen = viewport(20.0, 20.0, 0.4) * projection(2.0);
-    let mut all = scene(&model, &texture, to_screen);
-    all.light = Vec3::new(0.0, 0.6, 0.8);
+    let normals = corner_normals(&model);
+    let all = Uniforms {
+        normals: &normals,
+        texture: Some(&texture),
+        light: Vec3::new(0.0, 0.6, 0.8),
+        to_clip: to_clip(0.4, 2.0),
+        ..Uniforms::new(&model)
+    };
     for shader in SHADERS {
         for way in METHODS {
             let (target, left_out) = drawn(&all, shader.name, way.name, 20);
@@ -198,8 +214,8 @@ fn a_floor_warps_under_perspective() {
         texture.set(x, y, Color::rgb(x as u8, y as u8, 255));
     }
     let warp = |distance: f32| {
-        let to_screen = viewport(200.0, 200.0, 0.4) * projection(distance);
-        let floor = Scene { light: Vec3::Y, ..scene(&model, &texture, to_screen) };
+        let to_clip = to_clip(0.4, distance);
+        let floor = Uniforms { light: Vec3::Y, texture: Some(&texture), to_clip, ..Uniforms::new(&model) };
         let (target, _) = drawn(&floor, "flat-texture", "generic", 200);
         let seen = target.image.pixels().filter(|pixel| pixel.2.b > 0);
         let eye = DVec3::Z * f64::from(distance);
@@ -228,33 +244,34 @@ fn a_floor_warps_under_perspective() {
 #[test]
 fn drawing_allocates_nothing_per_triangle_or_fragment() {
     let texture = texture();
-    let count = |repeated: usize, side: u16, way: &dyn Fn(&Scene, Image)| {
+    let count = |repeated: usize, side: u16, way: &dyn Fn(&Uniforms, Image)| {
         let text = sphere_text(repeated);
         let model = Model::parse(text.as_bytes(), BOTH).unwrap();
-        let all = scene(&model, &texture, viewport(f32::from(side), f32::from(side), 0.5));
+        let normals = corner_normals(&model);
+        let all = Uniforms { normals: &normals, texture: Some(&texture), ..Uniforms::new(&model) };
         let image = Image::new(side, side, Format::Rgb);
         allocation_counter::measure(|| way(&all, image)).count_total
     };
-    type Way = Box<dyn Fn(&Scene, Image)>;
-    let mut ways: Vec<(String, Way)> = Vec::new();
+    type Way = Box<dyn Fn(&Uniforms, Image)>;
+    let mut ways: Vec<(String, Way, u64)> = Vec::new();
     for shader in SHADERS {
         for way in METHODS {
             let draw = (way.run)(&shader.run);
-            let run = move |scene: &Scene, image: Image| {
-                draw(scene, &mut Target::new(image));
+            let run = move |uniforms: &Uniforms, image: Image| {
+                draw(uniforms, &mut Framebuffer::new(image));
             };
-            ways.push((format!("{}, {}", shader.name, way.name), Box::new(run)));
+            // One for the depths, one for the vertices' places.
+            ways.push((format!("{}, {}", shader.name, way.name), Box::new(run), 2));
         }
     }
     let draw = method(textures::METHODS, "nearest").draw;
-    let run = move |scene: &Scene, mut image: Image| {
-        draw(scene.model, scene.texture.unwrap(), scene.light, &mut image);
+    let run = move |uniforms: &Uniforms, mut image: Image| {
+        draw(uniforms.model, uniforms.texture.unwrap(), uniforms.light, &mut image);
     };
-    ways.push(("lesson 5".into(), Box::new(run)));
-    for (name, way) in &ways {
-        // One for the depths.
+    ways.push(("lesson 5".into(), Box::new(run), 1));
+    for (name, way, buffers) in &ways {
         let counts = [(1, 50), (2, 50), (1, 100)].map(|(repeated, side)| count(repeated, side, way));
-        assert_eq!(counts, [1, 1, 1], "{name}");
+        assert_eq!(counts, [*buffers; 3], "{name}");
     }
 }
 
@@ -264,4 +281,90 @@ fn sphere_text(times: usize) -> String {
     let faces: String =
         text.lines().filter(|line| line.starts_with('f')).map(|line| format!("{line}\n")).collect();
     text + &faces.repeat(times - 1)
+}
+
+/// A target of another kind: no colours, but what came, and where; the deepest stays; room for 8×8 pixels only.
+struct Log {
+    deepest: [f32; 64],
+    seen: [Option<Fragment<f32>>; 64],
+    writes: usize,
+}
+
+impl Target<Fragment<f32>> for Log {
+    fn bounds(&self) -> Bounds {
+        verify::window(8, 8)
+    }
+
+    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+        depth < self.deepest[(8 * y + x) as usize]
+    }
+
+    fn write(&mut self, x: i32, y: i32, depth: f32, output: Fragment<f32>) {
+        let place = (8 * y + x) as usize;
+        self.deepest[place] = depth;
+        self.seen[place] = Some(output);
+        self.writes += 1;
+    }
+
+    fn clear(&mut self) {
+        *self = Self { deepest: [f32::INFINITY; 64], seen: [None; 64], writes: 0 };
+    }
+}
+
+/// A shader that gives on what it is told, and counts how often it is asked for each vertex.
+struct Tell {
+    asked: RefCell<[usize; 4]>,
+}
+
+impl Shader for Tell {
+    type Constant = ();
+    type Varying = f32;
+    type Output = Fragment<f32>;
+
+    /// A square in the middle, at half the eye's distance; its depth grows to the right.
+    fn position(&self, vertex: usize) -> Vec4 {
+        self.asked.borrow_mut()[vertex] += 1;
+        let (x, y) = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)][vertex];
+        Vec4::new(x, y, x, 1.0) * 2.0
+    }
+
+    fn triangle(&self, _: usize) -> Option<()> {
+        Some(())
+    }
+
+    /// Grows to the right by 8 over the square.
+    fn corner(&self, face: usize, corner: usize) -> f32 {
+        [[0.0, 8.0, 8.0], [0.0, 8.0, 0.0]][face][corner]
+    }
+
+    fn fragment(&self, (): (), fragment: Fragment<f32>) -> Option<Fragment<f32>> {
+        Some(fragment)
+    }
+}
+
+/// A vertex that triangles share is asked for once; a fragment knows its pixel, its depth and what was
+/// interpolated; and what becomes of it is the target's affair.
+#[test]
+fn vertices_are_asked_once_and_fragments_know_where_they_are() {
+    let shader = Tell { asked: RefCell::new([0; 4]) };
+    let mut log = Log { deepest: [f32::INFINITY; 64], seen: [None; 64], writes: 0 };
+    assert_eq!(render(&shader, 4, &[[0, 1, 2], [0, 2, 3]], &mut log), 0);
+    assert_eq!(*shader.asked.borrow(), [1; 4]);
+    for (x, y) in (0..8).flat_map(|y| (0..8).map(move |x| (x, y))) {
+        let inside = (2..6).contains(&x) && (2..6).contains(&y);
+        let seen = log.seen[(8 * y + x) as usize];
+        assert_eq!(seen.is_some(), inside, "({x}, {y})");
+        if let Some(Fragment { x: column, y: row, depth, varying }) = seen {
+            assert_eq!((column, row), (x, y));
+            let across = (x as f32 + 0.5 - 2.0) / 4.0;
+            assert!((depth - (across - 0.5)).abs() < 1e-6 && (varying - 8.0 * across).abs() < 1e-5);
+        }
+    }
+    assert_eq!(log.writes, 16);
+    // A second time nothing is deeper; the target says so, and no depth of the renderer's own.
+    render(&shader, 4, &[[0, 1, 2], [0, 2, 3]], &mut log);
+    assert_eq!(log.writes, 16);
+    log.clear();
+    render(&shader, 4, &[[0, 1, 2], [0, 2, 3]], &mut log);
+    assert_eq!(log.writes, 16);
 }

@@ -3,14 +3,15 @@
 use std::process::ExitCode;
 
 use my_shaders::{Gouraud, Quantized, Texture};
+use shaders::draw;
 use shaders::source::White;
-use shaders_tasks::{MISSION, Shaders, draw};
+use shaders_tasks::{MISSION, Shaders};
 
 fn main() -> ExitCode {
     let student = Shaders {
-        gouraud: |scene, target| draw(scene, target, White, Gouraud::new(scene)),
-        gouraud_texture: |scene, target| draw(scene, target, Texture::new(scene), Gouraud::new(scene)),
-        quantized: |scene, target| draw(scene, target, White, Quantized::new(scene)),
+        gouraud: |uniforms, target| draw(uniforms, White, Gouraud, target),
+        gouraud_texture: |uniforms, target| draw(uniforms, Texture, Gouraud, target),
+        quantized: |uniforms, target| draw(uniforms, White, Quantized, target),
     };
     MISSION.run(&student, cfg!(test))
 }

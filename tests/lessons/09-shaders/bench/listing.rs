@@ -5,7 +5,8 @@
 //! It has what -O3 would find, and more: the matrices are multiplied once, not once a corner.
 
 use common::{Image, Mat4, Model, Vec2, Vec3, Vec4Swizzles};
-use shaders::Scene;
+use shaders::Uniforms;
+use transforms::viewport;
 
 /// The slides' colour: up to four bytes.
 #[derive(Clone, Copy, Default)]
@@ -102,12 +103,13 @@ impl Listing {
         self.image.data.chunks(3).filter(|pixel| *pixel != [0; 3]).count()
     }
 
-    pub(crate) fn draw(&mut self, scene: &Scene, texture: &TgaImage) {
+    pub(crate) fn draw(&mut self, scene: &Uniforms, texture: &TgaImage) {
+        let (width, height) = (self.image.width as f32, self.image.height as f32);
         let mut shader = GouraudTexture {
             model: scene.model,
-            normals: &scene.normals,
+            normals: scene.normals,
             light: scene.light,
-            to_screen: scene.to_screen,
+            to_screen: viewport(width, height, 0.5) * scene.to_clip,
             texture,
             intensities: Vec3::ZERO,
             uvs: [Vec2::ZERO; 3],

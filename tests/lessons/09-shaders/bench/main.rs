@@ -20,8 +20,8 @@ use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use gouraud::corner_normals;
 use listing::Listing;
-use shaders::{SHADERS, Scene, Target};
-use transforms::{projection, viewport};
+use shaders::{Framebuffer, SHADERS, Uniforms, fit};
+use transforms::projection;
 use triangles::METHODS;
 use verify::method;
 use zbuffer::{surfaces, z_f32};
@@ -45,17 +45,15 @@ fn canvas(side: u16) -> Image {
 }
 
 /// From the front and infinitely far away, as lesson 4 draws; or from the slides' eye.
-fn scene<'a>(model: &'a Model, texture: &'a Image, side: u16, view: Option<Mat4>) -> Scene<'a> {
-    let (side, distance) = (f32::from(side), if view.is_some() { 6f32.sqrt() } else { f32::INFINITY });
-    let zoom = if view.is_some() { 0.4 } else { 0.5 };
-    Scene {
-        model,
-        normals: corner_normals(model),
-        texture: Some(texture),
-        light: Vec3::Z,
-        to_screen: viewport(side, side, zoom) * projection(distance) * view.unwrap_or_default(),
-        levels: 6,
-    }
+fn uniforms<'a>(
+    model: &'a Model,
+    normals: &'a [[Vec3; 3]],
+    texture: &'a Image,
+    view: Option<Mat4>,
+) -> Uniforms<'a> {
+    let (zoom, distance) = if view.is_some() { (0.4, 6f32.sqrt()) } else { (0.5, f32::INFINITY) };
+    let to_clip = fit(zoom, Vec2::ONE) * projection(distance) * view.unwrap_or_default();
+    Uniforms { normals, texture: Some(texture), to_clip, ..Uniforms::new(model) }
 }
 
 fn slides_view() -> Mat4 {
@@ -63,8 +61,8 @@ fn slides_view() -> Mat4 {
 }
 
 /// Lesson 9's shader of that name, compiled for itself.
-fn by_shader(scene: &Scene, name: &str, target: &mut Target) {
-    (method(SHADERS, name).generic)(scene, target);
+fn by_shader(uniforms: &Uniforms, name: &str, target: &mut Framebuffer) {
+    (method(SHADERS, name).generic)(uniforms, target);
 }
 
 /// Lesson 4's way, from the model to the picture.
@@ -81,11 +79,12 @@ fn sliver(length: u16) -> [Vec2; 3] {
 
 fn flat(c: &mut Criterion) {
     let (model, texture) = head();
+    let normals = corner_normals(&model);
     let mut group = c.benchmark_group("flat");
     for side in SIDES {
-        let scene = scene(&model, &texture, side, None);
-        let (mut target, mut image) = (Target::new(canvas(side)), canvas(side));
-        by_shader(&scene, "flat", &mut target);
+        let uniforms = uniforms(&model, &normals, &texture, None);
+        let (mut target, mut image) = (Framebuffer::new(canvas(side)), canvas(side));
+        by_shader(&uniforms, "flat", &mut target);
         by_lesson_4(&model, &mut image);
         assert!(target.image == image, "the two draw the same");
         group.throughput(Throughput::Elements(u64::from(side) * u64::from(side)));
@@ -93,8 +92,8 @@ fn flat(c: &mut Criterion) {
             b.iter_batched_ref(
                 || canvas(side),
                 |image| {
-                    let mut target = Target::new(std::mem::replace(image, canvas(0)));
-                    by_shader(&scene, "flat", &mut target);
+                    let mut target = Framebuffer::new(std::mem::replace(image, canvas(0)));
+                    by_shader(&uniforms, "flat", &mut target);
                     *image = target.image;
                 },
                 BatchSize::LargeInput,
@@ -108,27 +107,28 @@ fn flat(c: &mut Criterion) {
 
 fn gouraud_texture(c: &mut Criterion) {
     let (model, texture) = head();
+    let normals = corner_normals(&model);
     let slides_texture = Listing::texture(&texture);
     let mut group = c.benchmark_group("gouraud-texture");
     for side in SIDES {
-        let scene = scene(&model, &texture, side, Some(slides_view()));
-        let (mut target, mut listing) = (Target::new(canvas(side)), Listing::new(side));
-        by_shader(&scene, "gouraud-texture", &mut target);
-        listing.draw(&scene, &slides_texture);
+        let uniforms = uniforms(&model, &normals, &texture, Some(slides_view()));
+        let (mut target, mut listing) = (Framebuffer::new(canvas(side)), Listing::new(side));
+        by_shader(&uniforms, "gouraud-texture", &mut target);
+        listing.draw(&uniforms, &slides_texture);
         let drawn = target.image.pixels().filter(|pixel| pixel.2 != Color::BLACK).count();
         assert!(drawn.abs_diff(listing.drawn()) * 50 < drawn, "the two draw the same but for the border");
         group.throughput(Throughput::Elements(u64::from(side) * u64::from(side)));
         group.bench_function(BenchmarkId::new("lesson-9", side), |b| {
             b.iter_batched_ref(
-                || Target::new(canvas(side)),
-                |target| by_shader(&scene, "gouraud-texture", target),
+                || Framebuffer::new(canvas(side)),
+                |target| by_shader(&uniforms, "gouraud-texture", target),
                 BatchSize::LargeInput,
             );
         });
         group.bench_function(BenchmarkId::new("listing", side), |b| {
             b.iter_batched_ref(
                 || Listing::new(side),
-                |listing| listing.draw(&scene, &slides_texture),
+                |listing| listing.draw(&uniforms, &slides_texture),
                 BatchSize::LargeInput,
             );
         });
@@ -170,15 +170,16 @@ fn ratio<T>(make: impl Fn() -> T, mut a: impl FnMut(&mut T), mut b: impl FnMut(&
 
 fn ratios(_: &mut Criterion) {
     let (model, texture) = head();
+    let normals = corner_normals(&model);
     let slides_texture = Listing::texture(&texture);
     println!("\ntimes of one run, taking turns:");
     for side in SIDES {
-        let scene = scene(&model, &texture, side, None);
+        let uniforms = uniforms(&model, &normals, &texture, None);
         let flat = ratio(
             || canvas(side),
             |image| {
-                let mut target = Target::new(std::mem::replace(image, canvas(0)));
-                by_shader(&scene, "flat", &mut target);
+                let mut target = Framebuffer::new(std::mem::replace(image, canvas(0)));
+                by_shader(&uniforms, "flat", &mut target);
                 *image = target.image;
             },
             |image| by_lesson_4(&model, image),
@@ -186,11 +187,11 @@ fn ratios(_: &mut Criterion) {
         println!("{side}x{side}: lesson 9's flat shader / lesson 4's loop: {flat:.3}");
     }
     for side in SIDES {
-        let scene = scene(&model, &texture, side, Some(slides_view()));
+        let uniforms = uniforms(&model, &normals, &texture, Some(slides_view()));
         let textured = ratio(
-            || (Listing::new(side), Target::new(canvas(side))),
-            |(listing, _)| listing.draw(&scene, &slides_texture),
-            |(_, target)| by_shader(&scene, "gouraud-texture", target),
+            || (Listing::new(side), Framebuffer::new(canvas(side))),
+            |(listing, _)| listing.draw(&uniforms, &slides_texture),
+            |(_, target)| by_shader(&uniforms, "gouraud-texture", target),
         );
         println!("{side}x{side}: the slides' listing / lesson 9's gouraud-texture: {textured:.2}");
     }

@@ -1,30 +1,21 @@
 //! Mission 9: shaders.
 
-use common::{Mat4, Model, Vec3};
+use common::{Model, Vec2, Vec3};
 use fastrand::Rng;
 use gouraud::corner_normals;
-use shaders::lighting::Lighting;
-use shaders::program::render;
-use shaders::source::Source;
-use shaders::{Look, Render, Scene, Target};
+use shaders::{Draw, Framebuffer, Uniforms, fit};
 use tasks::scenery::{LIGHT, MODEL, SIDE, Square, TEXTURE, canvas, noise, squares};
 use tasks::{Check, Mission, Precision, Raw, Task};
-use transforms::viewport;
 
 /// What the student writes, as three looks.
 #[derive(Clone, Copy)]
 pub struct Shaders {
     /// White, under `Gouraud`.
-    pub gouraud: Render,
+    pub gouraud: Draw,
     /// `Texture`, under `Gouraud`.
-    pub gouraud_texture: Render,
+    pub gouraud_texture: Draw,
     /// White, under `Quantized`.
-    pub quantized: Render,
-}
-
-/// Draws a scene in the look of a colour source under a lighting.
-pub fn draw<S: Source, L: Lighting>(scene: &Scene, target: &mut Target, source: S, lighting: L) -> usize {
-    render(&Look::new(scene, source, lighting), scene.model.faces().len(), target)
+    pub quantized: Draw,
 }
 
 /// The mission.
@@ -87,12 +78,18 @@ pub const MISSION: Mission<Shaders> = Mission {
             asks: "the model, with a texture and in steps",
             points: 2,
             tasks: |_| {
-                let model = |input: &str, look: fn(&Shaders) -> Render| {
+                let model = |input: &str, look: fn(&Shaders) -> Draw| {
                     Task::new(input, move |student: &Shaders| {
-                        let mut target = Target::new(canvas(SIDE, SIDE));
-                        let screen = viewport(f32::from(SIDE), f32::from(SIDE), 0.45);
-                        let scene = Scene { texture: Some(&TEXTURE), ..scene(&MODEL, LIGHT, screen) };
-                        look(student)(&scene, &mut target);
+                        let mut target = Framebuffer::new(canvas(SIDE, SIDE));
+                        let uniforms = Uniforms {
+                            normals: &corner_normals(&MODEL),
+                            texture: Some(&TEXTURE),
+                            light: LIGHT,
+                            to_clip: fit(0.45, Vec2::ONE),
+                            levels: STEPS,
+                            ..Uniforms::new(&MODEL)
+                        };
+                        look(student)(&uniforms, &mut target);
                         Raw::Picture(target.image)
                     })
                 };
@@ -109,18 +106,13 @@ pub const MISSION: Mission<Shaders> = Mission {
 /// Levels of the quantized shader.
 pub const STEPS: u16 = 5;
 
-/// A model under a light, without texture.
-fn scene(model: &Model, light: Vec3, to_screen: Mat4) -> Scene<'_> {
-    Scene { model, normals: corner_normals(model), texture: None, light, to_screen, levels: STEPS }
-}
-
 /// A square that faces the light and one that faces away.
 fn two_sides() -> Model {
     let half = |left, normal| Square { place: [left, -0.5, left + 0.5, 0.5, 0.0], normals: [normal; 4] };
     squares(&[half(-0.75, Vec3::Z), half(0.25, Vec3::NEG_Z)])
 }
 
-fn colors(target: Target) -> Raw {
+fn colors(target: Framebuffer) -> Raw {
     Raw::Picture(target.image)
 }
 
@@ -129,13 +121,15 @@ fn small(
     input: &str,
     model: Model,
     texture: Option<common::Image>,
-    look: fn(&Shaders) -> Render,
-    result: fn(Target) -> Raw,
+    look: fn(&Shaders) -> Draw,
+    result: fn(Framebuffer) -> Raw,
 ) -> Task<Shaders> {
     Task::new(input, move |student: &Shaders| {
-        let mut target = Target::new(canvas(80, 80));
-        let scene = Scene { texture: texture.as_ref(), ..scene(&model, Vec3::Z, viewport(80.0, 80.0, 0.5)) };
-        look(student)(&scene, &mut target);
+        let mut target = Framebuffer::new(canvas(80, 80));
+        let normals = corner_normals(&model);
+        let uniforms =
+            Uniforms { normals: &normals, texture: texture.as_ref(), levels: STEPS, ..Uniforms::new(&model) };
+        look(student)(&uniforms, &mut target);
         result(target)
     })
 }
