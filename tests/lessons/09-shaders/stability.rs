@@ -196,7 +196,13 @@ fn just_before_the_eye_is_before_it() {
     for (z, left_out) in [(1.99999, 0), (1.999_999, 1)] {
         let text = format!("v -1 -1 0\nv 1 -1 0\nv 0 0 {z}\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n");
         let (model, texture) = (Model::parse(text.as_bytes(), BOTH).unwrap(), texture());
-        let all = scene(&model, &texture, viewport(20.0, 20.0, 0.4) * projection(2.0));
+        let normals = corner_normals(&model);
+        let all = Uniforms {
+            normals: &normals,
+            texture: Some(&texture),
+            to_clip: to_clip(0.4, 2.0),
+            ..Uniforms::new(&model)
+        };
         assert_eq!(drawn(&all, "gouraud", "generic", 20).1, left_out, "{z}");
     }
 }
