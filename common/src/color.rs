@@ -138,6 +138,19 @@ mod tests {
         }
     }
 
+    /// Every product of a level and a coverage, against the nearest 255th: none is half-way between two.
+    #[test]
+    fn mixing_rounds_to_nearest() {
+        for (level, coverage) in (0..=255).flat_map(|level| (0..=255).map(move |coverage| (level, coverage)))
+        {
+            let product = u32::from(level) * u32::from(coverage);
+            let nearest = (0..=255_u8).min_by_key(|&n| (255 * u32::from(n)).abs_diff(product)).unwrap();
+            let grey = Color::rgb(level, level, level);
+            assert_eq!(Color::BLACK.mixed(grey, coverage).r, nearest, "{level} {coverage}");
+            assert_eq!(grey.mixed(Color::BLACK, 255 - coverage).r, nearest, "{level} {coverage}");
+        }
+    }
+
     #[test]
     fn a_colour_is_six_digits() {
         assert_eq!("ff8000".parse(), Ok(Color::rgb(255, 128, 0)));

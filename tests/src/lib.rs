@@ -28,6 +28,7 @@
 //! files/    bad files, and the assets made again
 //! ```
 
+pub mod stability;
 pub mod usage;
 
 use std::collections::BTreeMap;
@@ -38,7 +39,7 @@ use std::sync::{Mutex, PoisonError};
 
 use checks::picture::{Fault, faults};
 use common::file::Encoding;
-use common::{Bounds, IVec2, Image, Lesson, Vec3};
+use common::{Bounds, IVec2, Image, Lesson, Method, Vec3};
 use escargot::CargoBuild;
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot, assert_binary_snapshot, assert_snapshot};
@@ -156,6 +157,45 @@ pub fn assert_similar(lesson: &Lesson, name: &str, image: &Image) {
     assert_pixels(lesson, name, image, Pixels { tolerance: 1, strays });
 }
 
+/// Compares what a lesson's program draws with the lesson's snapshot of that name: pixel by pixel up to lesson 6, from
+/// lesson 7 on as [`assert_similar`].
+///
+/// # Panics
+/// As [`draw`] and [`assert_picture`].
+pub fn assert_drawn(lesson: &Lesson, name: &str, arguments: &[&str]) {
+    let picture = draw(lesson.name, arguments);
+    if lesson.number < 7 {
+        assert_picture(lesson, name, &picture, 0);
+    } else {
+        assert_similar(lesson, name, &picture);
+    }
+}
+
+/// Compares what a lesson's program draws by each method with the snapshot of the method's name.
+///
+/// # Panics
+/// As [`assert_drawn`].
+pub fn assert_each_drawn<F>(lesson: &Lesson, methods: &[Method<F>], arguments: &[&str]) {
+    for method in methods {
+        assert_drawn(lesson, method.name, &[arguments, &["--method", method.name]].concat());
+    }
+}
+
+/// Compares what `draw` makes of each method with the text snapshot `WHAT-METHOD`.
+///
+/// # Panics
+/// As [`assert_text`].
+pub fn assert_each_text<F>(
+    lesson: &Lesson,
+    what: &str,
+    methods: &[Method<F>],
+    draw: impl Fn(&Method<F>) -> Image,
+) {
+    for method in methods {
+        assert_text(lesson, &format!("{what}-{}", method.name), &draw(method));
+    }
+}
+
 fn assert_pixels(lesson: &Lesson, name: &str, image: &Image, comparator: Pixels) {
     // A name may not hold a dot, since that begins the ending.
     let name = name.replace('.', "_");
@@ -230,6 +270,6 @@ pub fn window(width: i32, height: i32) -> Bounds {
 /// # Panics
 /// Where there is none.
 #[must_use]
-pub fn method<'a, F>(table: &'a [common::Method<F>], name: &str) -> &'a F {
-    &common::Method::find(table, name).unwrap_or_else(|| panic!("there is no method `{name}`")).run
+pub fn method<'a, F>(table: &'a [Method<F>], name: &str) -> &'a F {
+    &Method::find(table, name).unwrap_or_else(|| panic!("there is no method `{name}`")).run
 }

@@ -97,13 +97,15 @@ impl<D: Copy + PartialOrd + Into<f64>> DepthBuffer<D> {
     }
 }
 
-/// The mean of three corners' depths, each with its weight. Measured from the first one, so that a triangle
-/// whose corners have one depth has it everywhere, to the last bit, and equal depths compare as equal.
+/// The mean of three corners' depths, each with its weight. Measured from the farthest one, so that a triangle
+/// whose corners have one depth has it everywhere, to the last bit; and of three products one is 0 then, so that
+/// the sum is the same in whichever order the corners come: equal surfaces compare as equal.
 // ANCHOR: fill_depths
 #[inline]
 #[must_use]
 pub fn depth_at(depths: Vec3, weights: Vec3) -> f32 {
-    depths.x + weights.y * (depths.y - depths.x) + weights.z * (depths.z - depths.x)
+    let farthest = depths.min_element();
+    farthest + (depths - farthest).dot(weights)
 }
 
 /// Calls `visit(x, y, depth, weights)` for each pixel in `bounds` that a triangle covers. Corners are x and y in

@@ -1,7 +1,10 @@
 use checks::segment::{draws, largest_smooth, measure, smooth_share, thickness};
 use common::{Bounds, IVec2};
+use lines::slides::scaled;
 use lines::{METHODS, bresenham, distance, wu};
 use proptest::prelude::*;
+
+use crate::{places, visited};
 
 fn point(range: std::ops::RangeInclusive<i32>) -> impl Strategy<Value = IVec2> {
     (range.clone(), range).prop_map(|(x, y)| IVec2::new(x, y))
@@ -26,15 +29,13 @@ fn window_on(a: IVec2, b: IVec2, share: f64, shift: IVec2) -> Bounds {
 /// In a window, `bresenham` and `wu` draw what the rational line demands, and go no farther.
 fn check_window(a: IVec2, b: IVec2, window: Bounds) {
     let all = (window.min.y..=window.max.y).flat_map(|y| (window.min.x..=window.max.x).map(move |x| (x, y)));
-    let mut hard = Vec::new();
-    bresenham(a, b, window, |x, y, _| hard.push((x, y)));
+    let mut hard = places(&visited(|plot| bresenham(a, b, window, plot)));
     hard.sort_unstable();
     let mut expected: Vec<_> = all.clone().filter(|&(x, y)| draws(a, b, x, y)).collect();
     expected.sort_unstable();
     assert_eq!(hard, expected);
 
-    let mut smooth = Vec::new();
-    wu(a, b, window, |x, y, coverage| smooth.push((x, y, coverage)));
+    let smooth = visited(|plot| wu(a, b, window, plot));
     assert!(smooth.len() <= 2 * 14, "{} pixels", smooth.len());
     for (x, y) in all {
         let coverage: u32 =
@@ -48,8 +49,7 @@ proptest! {
     #[test]
     fn bresenham_is_ideal_and_the_same_from_either_end(a in point(-300..=300), b in point(-300..=300)) {
         let run = |a, b| {
-            let mut pixels = Vec::new();
-            bresenham(a, b, Bounds::EVERYTHING, |x, y, _| pixels.push((x, y)));
+            let mut pixels = places(&visited(|plot| bresenham(a, b, Bounds::EVERYTHING, plot)));
             pixels.sort_unstable();
             pixels
         };
@@ -61,17 +61,14 @@ proptest! {
 
     #[test]
     fn scaled_draws_the_pixels_of_bresenham(a in point(-300..=300), b in point(-300..=300)) {
-        let [mut expected, mut got] = [Vec::new(), Vec::new()];
-        bresenham(a, b, Bounds::EVERYTHING, |x, y, _| expected.push((x, y)));
-        lines::slides::scaled(a, b, Bounds::EVERYTHING, |x, y, _| got.push((x, y)));
-        prop_assert_eq!(expected, got);
+        let expected = visited(|plot| bresenham(a, b, Bounds::EVERYTHING, plot));
+        prop_assert_eq!(visited(|plot| scaled(a, b, Bounds::EVERYTHING, plot)), expected);
     }
 
     #[test]
     fn wu_is_smooth_and_the_same_from_either_end(a in point(-300..=300), b in point(-300..=300)) {
         let run = |a, b| {
-            let mut pixels = Vec::new();
-            wu(a, b, Bounds::EVERYTHING, |x, y, coverage| pixels.push((x, y, coverage)));
+            let mut pixels = visited(|plot| wu(a, b, Bounds::EVERYTHING, plot));
             pixels.sort_unstable();
             pixels
         };
@@ -86,8 +83,7 @@ proptest! {
         a in point(-300..=300), b in point(-300..=300), shift in point(-8..=8),
     ) {
         let run = |a, b, window| {
-            let mut pixels = Vec::new();
-            distance(a, b, window, |x, y, coverage| pixels.push((x, y, coverage)));
+            let mut pixels = visited(|plot| distance(a, b, window, plot));
             pixels.sort_unstable();
             pixels
         };

@@ -1,6 +1,6 @@
 use common::{Color, Format, IVec2, Image};
 use lines::{LESSON, METHODS};
-use verify::{assert_picture, assert_text, draw};
+use verify::{assert_drawn, assert_each_drawn, assert_each_text};
 
 /// Outwards in sixteen directions, leaving the middle free; and one pixel alone.
 const STAR: [[i32; 4]; 17] = [
@@ -25,30 +25,27 @@ const STAR: [[i32; 4]; 17] = [
 
 #[test]
 fn every_method_draws_its_star() {
-    for method in METHODS {
+    assert_each_text(&LESSON, "star", METHODS, |method| {
         let mut image = Image::new(33, 33, Format::Gray);
         for [x0, y0, x1, y1] in STAR {
             (method.run.draw)(IVec2::new(x0, y0), IVec2::new(x1, y1), &mut image, Color::WHITE);
         }
-        assert_text(&LESSON, &format!("star-{}", method.name), &image);
-    }
+        image
+    });
 }
 
 #[test]
 fn every_method_draws_the_slides_picture() {
-    for method in METHODS {
-        assert_picture(&LESSON, method.name, &draw("lines", &["--method", method.name]), 0);
-    }
+    assert_each_drawn(&LESSON, METHODS, &[]);
 }
 
 #[test]
 fn a_comparison_shows_what_is_missing_and_what_is_extra() {
-    assert_picture(&LESSON, "compare", &draw("lines", &["--compare", "bresenham,listing"]), 0);
+    assert_drawn(&LESSON, "compare", &["--compare", "bresenham,listing"]);
 }
 
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("lines", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -1,5 +1,5 @@
 use common::{Attributes, Color, Format, Image, Model};
-use verify::{assert_picture, assert_text, draw};
+use verify::{assert_drawn, assert_each_drawn, assert_each_text};
 use wireframe::{LESSON, METHODS};
 
 /// A tetrahedron that touches all four borders.
@@ -9,24 +9,20 @@ const TETRAHEDRON: &[u8] =
 #[test]
 fn every_method_draws_a_tetrahedron() {
     let model = Model::parse(TETRAHEDRON, Attributes::default()).unwrap();
-    for method in METHODS {
+    assert_each_text(&LESSON, "tetrahedron", METHODS, |method| {
         let mut image = Image::new(33, 33, Format::Gray);
         (method.run.draw)(&model, &mut image, Color::WHITE);
-        assert_text(&LESSON, &format!("tetrahedron-{}", method.name), &image);
-    }
+        image
+    });
 }
 
 #[test]
 fn every_method_draws_the_head() {
-    for method in METHODS {
-        let picture = draw("wireframe", &["--size", "300x300", "--method", method.name]);
-        assert_picture(&LESSON, method.name, &picture, 0);
-    }
+    assert_each_drawn(&LESSON, METHODS, &["--size", "300x300"]);
 }
 
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("wireframe", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

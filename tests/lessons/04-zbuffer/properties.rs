@@ -30,6 +30,23 @@ fn resolution(method: &str) -> f64 {
 }
 
 proptest! {
+    /// Of equal surfaces the first drawn stays, also where its corners come in another order or the other way round.
+    #[test]
+    fn the_first_of_equal_surfaces_stays(surfaces in surfaces()) {
+        for method in ["z16", "z24", "z-f32"] {
+            let Surface { corners: [a, b, c], .. } = surfaces[0];
+            let orders = [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]];
+            let all = |first: usize| -> Vec<Surface> {
+                let turned = (first..first + 6).map(|n| orders[n % 6]).zip([Color::RED, Color::GREEN].into_iter().chain([Color::WHITE; 4]));
+                turned.map(|(corners, color)| Surface { corners, color }).collect()
+            };
+            for first in 0..6 {
+                let image = draw(method, &all(first));
+                prop_assert!(image.pixels().all(|pixel| [Color::BLACK, Color::RED].contains(&pixel.2)), "{}", method);
+            }
+        }
+    }
+
     /// Wherever the nearest depth is the nearest by more than a rounding, the nearest triangle is seen.
     #[test]
     fn the_nearest_is_seen(surfaces in surfaces()) {

@@ -1,5 +1,5 @@
 use common::{Color, Format, Image, Vec3};
-use verify::{SPHERE, assert_picture, assert_text, draw};
+use verify::{SPHERE, assert_drawn, assert_picture, assert_text, draw};
 use zbuffer::{LESSON, METHODS, Surface};
 
 const GREYS: [f32; 3] = [1.0, 0.6, 0.3];
@@ -56,6 +56,5 @@ fn every_depth_buffer_is_a_picture() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("zbuffer", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

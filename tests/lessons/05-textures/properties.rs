@@ -1,16 +1,9 @@
 use checks::texel::{clamped, column, repeated};
-use common::{Color, Format, Image, Vec2};
+use common::Vec2;
 use proptest::prelude::*;
 use textures::{METHODS, repeat, texel};
 
-/// A texture in which each texel's colour says where it is.
-fn labelled(width: u16, height: u16) -> Image {
-    let mut texture = Image::new(width, height, Format::Rgb);
-    for (x, y, _) in texture.clone().pixels() {
-        texture.set(x, y, Color::rgb(x as u8, y as u8, 255));
-    }
-    texture
-}
+use crate::labelled;
 
 /// In the texture and about it, at its borders, and anything else that an f32 can be.
 fn coordinate() -> impl Strategy<Value = f32> {

@@ -1,6 +1,6 @@
 use common::{Attributes, Color, Format, Image, Model, Vec3};
 use textures::{LESSON, METHODS};
-use verify::{CRATE, SPHERE, assert_picture, assert_text, draw};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text};
 
 /// A square whose texture coordinates go from -¼ to 1¼: what each method does inside, at the border, beyond.
 #[test]
@@ -14,24 +14,20 @@ fn every_method_draws_a_square() {
     for (x, y, _) in texture.clone().pixels() {
         texture.set(x, y, Color::gray(1.0 - (x + y) as f32 / 8.0));
     }
-    for method in METHODS {
+    assert_each_text(&LESSON, "square", METHODS, |method| {
         let mut image = Image::new(48, 24, Format::Gray);
         (method.run.draw)(&square, &texture, Vec3::Z, &mut image);
-        assert_text(&LESSON, &format!("square-{}", method.name), &image);
-    }
+        image
+    });
 }
 
 #[test]
 fn every_method_draws_the_sphere() {
-    for method in METHODS {
-        let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--method", method.name];
-        assert_picture(&LESSON, method.name, &draw("textures", &arguments), 0);
-    }
+    assert_each_drawn(&LESSON, METHODS, &["--size", "200x200", "--model", SPHERE, "--texture", CRATE]);
 }
 
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("textures", &["--size", "200x200"]);
-    assert_picture(&LESSON, "default", &picture, 0);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -1,125 +1,79 @@
 use checks::texel::{clamped, repeated};
-use common::{Attributes, Color, Format, Image, Model, Vec2, Vec3};
-use textures::{METHODS, texel};
-use verify::method;
+use common::{Attributes, Color, Format, Image, Method, Model, Vec2, Vec3};
+use textures::{LESSON, METHODS, Sampler, texel};
+use verify::stability::Must::{Exact, Fails};
+use verify::stability::{Case, Row, every_method};
 
-/// What must happen.
-#[derive(Debug)]
-enum Must {
-    /// The texel that the exact reference names.
-    Exact,
-    /// Another one, or black.
-    Fail(&'static str),
-}
-use Must::{Exact, Fail};
+use crate::labelled;
 
-type Row = (&'static str, Must);
-type Case = (&'static str, (f32, f32), (u16, u16), &'static [Row]);
+/// (u, v), and the size of the texture.
+type Given = ((f32, f32), (u16, u16));
 
-const ALL_EXACT: &[Row] = &[("truncate", Exact), ("round", Exact), ("nearest", Exact), ("repeat", Exact)];
+const ALL_EXACT: &[Row] = &[("truncate, round, nearest, repeat", Exact)];
 const JUST_BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
-/// Input, (u, v), the size of the texture, and what each method must find. Outside, `repeat` is to find the
-/// texel of the tiled plane, the others the nearest one of the texture.
-const TABLE: &[Case] = &[
-    ("in the first quarter of a texel", (0.3, 0.55), (4, 4), ALL_EXACT),
+/// Where to look, and what each method must find: the exact texel, or else the column and row of another one, or
+/// black. Outside, `repeat` is to find the texel of the tiled plane, the others the nearest one of the texture.
+const TABLE: &[Case<Given>] = &[
+    ("in the first quarter of a texel", ((0.3, 0.55), (4, 4)), ALL_EXACT),
     (
         "in the middle of a texel",
-        (0.375, 0.625),
-        (4, 4),
-        &[("truncate", Exact), ("round", Fail("2 3")), ("nearest", Exact), ("repeat", Exact)],
+        ((0.375, 0.625), (4, 4)),
+        &[("truncate, nearest, repeat", Exact), ("round", Fails("2 3"))],
     ),
-    ("on the border of two texels", (0.25, 0.5), (4, 4), ALL_EXACT),
-    ("u = 0, v = 0", (0.0, 0.0), (4, 4), ALL_EXACT),
-    (
-        "u = 1",
-        (1.0, 0.5),
-        (4, 4),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
-    ),
-    (
-        "v = 1",
-        (0.5, 1.0),
-        (4, 4),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
-    ),
+    ("on the border of two texels", ((0.25, 0.5), (4, 4)), ALL_EXACT),
+    ("u = 0, v = 0", ((0.0, 0.0), (4, 4)), ALL_EXACT),
+    ("u = 1", ((1.0, 0.5), (4, 4)), &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)]),
+    ("v = 1", ((0.5, 1.0), (4, 4)), &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)]),
     (
         "just below 1",
-        (JUST_BELOW_ONE, 0.0),
-        (4, 4),
-        &[("truncate", Exact), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
+        ((JUST_BELOW_ONE, 0.0), (4, 4)),
+        &[("truncate, nearest, repeat", Exact), ("round", Fails("black"))],
     ),
     (
         "0.7, which as f32 is below 7/10, but not its product with 10",
-        (0.7, 0.0),
-        (10, 1),
-        &[
-            ("truncate", Fail("7 0")),
-            ("round", Fail("7 0")),
-            ("nearest", Fail("7 0")),
-            ("repeat", Fail("7 0")),
-        ],
+        ((0.7, 0.0), (10, 1)),
+        &[("truncate, round, nearest, repeat", Fails("7 0"))],
     ),
     (
         "just below 0",
-        (-0.125, 0.0),
-        (4, 4),
-        &[("truncate", Exact), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
+        ((-0.125, 0.0), (4, 4)),
+        &[("truncate, nearest, repeat", Exact), ("round", Fails("black"))],
     ),
     (
         "far below 0",
-        (-2.625, -1.375),
-        (4, 4),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
+        ((-2.625, -1.375), (4, 4)),
+        &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)],
     ),
     (
         "beyond 1",
-        (1.375, 7.625),
-        (4, 4),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
+        ((1.375, 7.625), (4, 4)),
+        &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)],
     ),
     (
         "so little below 0 that 1 is left",
-        (-1e-9, 0.0),
-        (4, 4),
-        &[("truncate", Exact), ("round", Exact), ("nearest", Exact), ("repeat", Exact)],
+        ((-1e-9, 0.0), (4, 4)),
+        &[("truncate, round, nearest, repeat", Exact)],
     ),
-    (
-        "10^10",
-        (1e10, 1e10),
-        (4, 4),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
-    ),
-    ("NaN", (f32::NAN, f32::NAN), (4, 4), ALL_EXACT),
+    ("10^10", ((1e10, 1e10), (4, 4)), &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)]),
+    ("NaN", ((f32::NAN, f32::NAN), (4, 4)), ALL_EXACT),
     (
         "infinite",
-        (f32::INFINITY, f32::NEG_INFINITY),
-        (4, 4),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Fail("3 0")), ("repeat", Exact)],
+        ((f32::INFINITY, f32::NEG_INFINITY), (4, 4)),
+        &[("truncate, round", Fails("black")), ("nearest", Fails("3 0")), ("repeat", Exact)],
     ),
     (
         "1×1 texel, in its middle",
-        (0.5, 0.5),
-        (1, 1),
-        &[("truncate", Exact), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
+        ((0.5, 0.5), (1, 1)),
+        &[("truncate, nearest, repeat", Exact), ("round", Fails("black"))],
     ),
     (
         "1×1 texel, at (1, 1)",
-        (1.0, 1.0),
-        (1, 1),
-        &[("truncate", Fail("black")), ("round", Fail("black")), ("nearest", Exact), ("repeat", Exact)],
+        ((1.0, 1.0), (1, 1)),
+        &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)],
     ),
-    ("no texels", (0.5, 0.5), (0, 0), ALL_EXACT),
+    ("no texels", ((0.5, 0.5), (0, 0)), ALL_EXACT),
 ];
-
-/// A texture in which each texel's colour says where it is. None is black.
-fn labelled(width: u16, height: u16) -> Image {
-    let mut texture = Image::new(width, height, Format::Rgb);
-    for (x, y, _) in texture.clone().pixels() {
-        texture.set(x, y, Color::rgb(x as u8, y as u8, 255));
-    }
-    texture
-}
 
 /// The exact texel's colour. What is not finite counts as 0, and without texels all is black.
 fn expected(name: &str, u: f32, v: f32, (width, height): (u16, u16)) -> Color {
@@ -133,37 +87,92 @@ fn expected(name: &str, u: f32, v: f32, (width, height): (u16, u16)) -> Color {
 
 #[test]
 fn every_method_does_what_it_must() {
-    for (input, (u, v), size, rows) in TABLE {
-        assert!(rows.iter().map(|row| row.0).eq(METHODS.iter().map(|method| method.name)), "{input}");
-        for (name, must) in *rows {
-            let color = (method(METHODS, name).sample)(&labelled(size.0, size.1), Vec2::new(*u, *v));
-            let got = match color {
-                color if color == expected(name, *u, *v, *size) => "exact".into(),
-                Color { b: 0, .. } => "black".into(),
-                Color { r, g, .. } => format!("{r} {g}"),
-            };
-            let expected = match *must {
-                Exact => "exact",
-                Fail(expected) => expected,
-            };
-            assert!(got == expected, "{input}, {name}: {got}, but {must:?} was expected");
-        }
+    every_method(LESSON.name, METHODS, TABLE, |method, &((u, v), size)| {
+        found(method, (u, v), size, expected(method.name, u, v, size))
+    });
+}
+
+/// What a method finds in a labelled texture instead of a colour.
+fn found(method: &Method<Sampler>, (u, v): (f32, f32), size: (u16, u16), expected: Color) -> Vec<String> {
+    match (method.run.sample)(&labelled(size.0, size.1), Vec2::new(u, v)) {
+        color if color == expected => vec![],
+        Color { b: 0, .. } => vec!["black".into()],
+        Color { r, g, .. } => vec![format!("{r} {g}")],
     }
 }
 
-/// How much of a texture each method gets wrong, at 64 points a texel.
+/// The borders of a texture that is not to be repeated: at u = 1 `repeat` is at the left one again, and just below 0 at
+/// the right one.
+const SEAM: &[Case<Given>] = &[
+    (
+        "the right border",
+        ((1.0, 0.5), (4, 4)),
+        &[("truncate, round", Fails("black")), ("nearest", Exact), ("repeat", Fails("0 2"))],
+    ),
+    (
+        "just beyond the left one",
+        ((-1e-9, 0.5), (4, 4)),
+        &[("truncate, round, nearest", Exact), ("repeat", Fails("3 2"))],
+    ),
+];
+
+#[test]
+fn repeat_has_a_seam() {
+    every_method(LESSON.name, METHODS, SEAM, |method, &((u, v), size)| {
+        found(method, (u, v), size, expected("nearest", u, v, size))
+    });
+}
+
+/// How many pixels of a row fall on a texel, or how many texels on a pixel: enlarged, a texel is a block; made smaller,
+/// a pixel has the colour of one texel of many.
+const SCALED: &[Case<(u16, u16)>] = &[
+    ("8 times as large", (8, 1), &[("truncate, round, nearest, repeat", Fails("blocks of 8 px"))]),
+    ("as large as it is", (1, 1), &[("truncate, round, nearest, repeat", Exact)]),
+    ("8 times smaller", (1, 8), &[("truncate, round, nearest, repeat", Fails("128 levels off the mean"))]),
+];
+
+#[test]
+fn blocks_when_enlarged_and_sparkles_when_made_smaller() {
+    // A row of black and white texels by turns.
+    let mut texture = Image::new(64, 1, Format::Gray);
+    (0..64).step_by(2).for_each(|x| texture.set(x, 0, Color::WHITE));
+    every_method(LESSON.name, METHODS, SCALED, |method, &(larger, smaller)| {
+        let pixels = 32 * larger / smaller;
+        let level = |n: u16| {
+            let u = (f32::from(n) + 0.5) / f32::from(pixels) / 2.0;
+            (method.run.sample)(&texture, Vec2::new(u, 0.25)).r
+        };
+        let row: Vec<u8> = (0..pixels).map(level).collect();
+        let longest = row.chunk_by(|a, b| a == b).map(<[u8]>::len).max().unwrap_or(0);
+        let mean = row.iter().map(|&level| f64::from(level)).sum::<f64>() / f64::from(pixels);
+        let off = (mean - 127.5).abs();
+        let mut faults = Vec::new();
+        if longest > 1 && smaller == 1 {
+            faults.push(format!("blocks of {longest} px"));
+        }
+        if off > 0.5 {
+            faults.push(format!("{off:.0} levels off the mean"));
+        }
+        faults
+    });
+}
+
+/// How much of a texture of 16×16 texels each method gets wrong, at 64 points a texel.
+const SHARES: &[Case<u16>] =
+    &[("16×16 texels", 16, &[("truncate, nearest, repeat", Exact), ("round", Fails("75 % wrong"))])];
+
 #[test]
 fn round_is_wrong_in_half_of_each_texel_and_direction() {
-    let texture = labelled(16, 16);
-    let points = || (0..128).flat_map(|i| (0..128).map(move |j| [i, j].map(|n| (n as f32 + 0.5) / 128.0)));
-    let shares = METHODS.iter().map(|method| {
-        let wrong = points().filter(|&[u, v]| {
-            (method.run.sample)(&texture, Vec2::new(u, v)) != expected(method.name, u, v, (16, 16))
+    every_method(LESSON.name, METHODS, SHARES, |method, &side| {
+        let (texture, per_side) = (labelled(side, side), 8 * side);
+        let at = |n: u16| (f32::from(n) + 0.5) / f32::from(per_side);
+        let points = (0..per_side).flat_map(|i| (0..per_side).map(move |j| [at(i), at(j)]));
+        let wrong = points.filter(|&[u, v]| {
+            (method.run.sample)(&texture, Vec2::new(u, v)) != expected(method.name, u, v, (side, side))
         });
-        (method.name, wrong.count() * 100 / (128 * 128))
+        let share = wrong.count() * 100 / usize::from(per_side).pow(2);
+        if share > 0 { vec![format!("{share} % wrong")] } else { vec![] }
     });
-    let expected = [("truncate", 0), ("round", 75), ("nearest", 0), ("repeat", 0)];
-    assert_eq!(shares.collect::<Vec<_>>(), expected);
 }
 
 /// Without texture coordinates there is nothing to look up: nothing is drawn, and nothing panics. (The program

@@ -3,3 +3,17 @@
 mod snapshots;
 mod stability;
 mod usage;
+
+use common::{Attributes, Color, Format, Image, Model, Vec3};
+use gouraud::{METHODS, Scene, corner_normals};
+use verify::method;
+
+const BOTH: Attributes = Attributes { normals: true, uvs: true };
+
+/// Draws a model, white, by one method.
+fn draw(model: &Model, light: Vec3, name: &str, picture: &mut Image) {
+    let mut white = Image::new(1, 1, Format::Gray);
+    white.set(0, 0, Color::WHITE);
+    let normals = corner_normals(model);
+    method(METHODS, name)(&Scene { model, normals, texture: &white, light }, picture);
+}

@@ -3,7 +3,9 @@ use transforms::inverse::INVERSES;
 use transforms::rotation::ROTATIONS;
 use transforms::{LESSON, METHODS, place, scale, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, letter};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, letter};
+
+const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
 /// The letter under a matrix, in the middle of a picture of 25×25.
 fn picture(m: &Mat4) -> Image {
@@ -19,42 +21,34 @@ fn picture(m: &Mat4) -> Image {
 /// A third of a quarter turn, by each way to turn.
 #[test]
 fn every_rotation_turns_a_letter() {
-    for method in ROTATIONS {
-        let turn = Mat4::from_mat3((method.run)(Vec3::Z, 30f32.to_radians()));
-        assert_text(&LESSON, &format!("turned-{}", method.name), &picture(&turn));
-    }
+    assert_each_text(&LESSON, "turned", ROTATIONS, |method| {
+        picture(&Mat4::from_mat3((method.run)(Vec3::Z, 30f32.to_radians())))
+    });
 }
 
 /// A letter moved and stretched, and brought back by each inverse: `transpose` is none for a stretch.
 #[test]
 fn every_inverse_brings_a_letter_back() {
-    for method in INVERSES {
-        let m = translate(Vec3::new(3.0, 1.0, 0.0)) * scale(Vec3::new(1.5, 0.75, 1.0));
-        let back = (method.run)(&m).unwrap();
-        assert_text(&LESSON, &format!("back-{}", method.name), &picture(&(back * m)));
-    }
+    let m = translate(Vec3::new(3.0, 1.0, 0.0)) * scale(Vec3::new(1.5, 0.75, 1.0));
+    assert_each_text(&LESSON, "back", INVERSES, |method| picture(&((method.run)(&m).unwrap() * m)));
 }
 
 #[test]
 fn every_method_draws_the_sphere() {
-    for method in METHODS {
-        let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--method", method.name];
-        assert_similar(&LESSON, method.name, &draw("transforms", &arguments));
-    }
+    assert_each_drawn(&LESSON, METHODS, &SCENE);
 }
 
 /// From just before the sphere, from twice as far, and from infinitely far, where nothing is foreshortened.
 #[test]
 fn the_sphere_from_three_distances() {
     for distance in ["1.2", "4", "inf"] {
-        let arguments = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE, "--distance", distance];
-        assert_similar(&LESSON, &format!("distance-{distance}"), &draw("transforms", &arguments));
+        let name = format!("distance-{distance}");
+        assert_drawn(&LESSON, &name, &[&SCENE[..], &["--distance", distance]].concat());
     }
 }
 
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("transforms", &["--size", "200x200"]);
-    assert_similar(&LESSON, "default", &picture);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

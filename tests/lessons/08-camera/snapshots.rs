@@ -2,7 +2,7 @@ use camera::{LESSON, METHODS};
 use common::{Color, Format, Image, Vec3};
 use transforms::{place, projection, translate};
 use triangles::fill;
-use verify::{CRATE, SPHERE, assert_similar, assert_text, draw, letter, run};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, assert_similar, letter, run};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -11,7 +11,7 @@ const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", C
 fn every_method_looks_at_a_letter() {
     let center = Vec3::new(7.0, 2.0, -3.0);
     let eye = center + Vec3::new(-12.0, 3.0, 16.0);
-    for method in METHODS {
+    assert_each_text(&LESSON, "letter", METHODS, |method| {
         let view = (method.run)(eye, center, Vec3::Y).unwrap();
         let all = translate(Vec3::new(20.5, 12.5, 0.0)) * projection(eye.distance(center)) * view.matrix;
         let mut image = Image::new(41, 25, Format::Gray);
@@ -19,17 +19,14 @@ fn every_method_looks_at_a_letter() {
             let placed = corners.map(|corner| place(&all, corner + center - view.origin).unwrap().truncate());
             fill(placed, image.bounds(), |x, y, _| image.set(x, y, Color::WHITE));
         }
-        assert_text(&LESSON, &format!("letter-{}", method.name), &image);
-    }
+        image
+    });
 }
 
 #[test]
 fn every_method_draws_the_sphere() {
-    for method in METHODS {
-        let view = ["--eye", "1,1,3", "--center", "0.4,-0.2,0", "--method", method.name];
-        let picture = draw("camera", &[&SCENE[..], &view].concat());
-        assert_similar(&LESSON, method.name, &picture);
-    }
+    let view = ["--eye", "1,1,3", "--center", "0.4,-0.2,0"];
+    assert_each_drawn(&LESSON, METHODS, &[&SCENE[..], &view].concat());
 }
 
 #[test]
@@ -47,6 +44,5 @@ fn the_turntable_goes_around() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("camera", &["--size", "200x200"]);
-    assert_similar(&LESSON, "default", &picture);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }

@@ -1,6 +1,6 @@
 use common::{Color, Format, Image};
 use shaders::{LESSON, METHODS, SHADERS};
-use verify::{CRATE, SPHERE, assert_similar, draw};
+use verify::{CRATE, SPHERE, assert_drawn, assert_similar, draw};
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
@@ -69,6 +69,5 @@ fn no_size_squashes_the_model() {
 /// Without a flag, but smaller.
 #[test]
 fn the_default_picture() {
-    let picture = draw("shaders", &["--size", "200x200"]);
-    assert_similar(&LESSON, "default", &picture);
+    assert_drawn(&LESSON, "default", &["--size", "200x200"]);
 }
