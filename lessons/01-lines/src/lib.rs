@@ -152,11 +152,14 @@ pub const METHODS: &[Method<Line>] = &[
             visit: |a, b, window, plot| wu(a, b, window, plot),
         },
         promise: "smooth: two pixels share each column, 1/255 px off; any 32-bit ends; costs only what can be seen",
-        failure: "twice the pixels, each mixed with what lies below; steep lines are thinner, at 45 degrees by 29 %",
+        failure: "twice the pixels, each mixed with what lies below; sloping lines are paler, at 45 degrees by 29 %",
     },
     Method {
         name: "distance",
-        run: drawn_and_visited!(distance),
+        run: Line {
+            draw: |a, b, image, color| distance(a, b, image.bounds(), blend(image, color)),
+            visit: |a, b, window, plot| distance(a, b, window, plot),
+        },
         promise: "smooth, within 12 % as thick in every direction: coverage by the distance at a right angle; any 32-bit ends",
         failure: "up to three pixels a step, each mixed with what lies below; ends stick out by half a pixel",
     },
