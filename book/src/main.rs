@@ -10,7 +10,6 @@
 //! cargo run -p book -- pictures              each lesson's picture, into the lessons' folders
 //! ```
 
-mod charts;
 mod check;
 mod fault;
 mod figures;

@@ -2,7 +2,6 @@
 
 #[cfg(test)]
 mod answers;
-pub(crate) mod charts;
 pub(crate) mod figures;
 
 use crate::lessons::Lesson;

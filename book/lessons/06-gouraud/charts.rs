@@ -5,9 +5,9 @@ use common::{Color, Format, Image, Method, Model, Vec3};
 use fastrand::Rng;
 use gouraud::{Draw, METHODS, Scene, corner_normals};
 
-use crate::charts::measure::{Effort, Errors, Work};
-use crate::charts::models::{TRIANGLES, USUAL, sphere, texture};
-use crate::charts::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measure::{Effort, Errors, Work};
+use crate::models::{TRIANGLES, USUAL, sphere, texture};
+use crate::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const CHART: Chart = Chart {
     name: "06-gouraud",
@@ -16,11 +16,12 @@ pub(crate) const CHART: Chart = Chart {
     error: Quantity {
         name: "difference from a smooth sphere",
         unit: "grey levels of 255",
-        limit: (0.5, "½ level"),
+        limit: (0.5, "within ½ level"),
     },
     further: &[],
     samples: "a sphere of 5,000 triangles under random lights, 256×256 px",
     exhaustive: false,
+    proved: &[],
     errors,
     timed: "a textured sphere of 5,000 triangles in a picture of 800×800",
     throughput: "Mpx/s",
@@ -32,6 +33,7 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "mean difference", unit: "grey levels of 255", limit: (1.0, "1 level") },
         measure: stability,
     },
+    wrong: &[],
     advice: &[
         ("gouraud", "round things"),
         ("flat", "things with flat faces, and models without normals"),

@@ -1,6 +1,5 @@
 //! What the book shows of lesson 9, beside its chapter.
 
-pub(crate) mod charts;
 pub(crate) mod figures;
 
 use crate::lessons::{Lesson, Picture};

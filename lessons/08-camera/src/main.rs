@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use camera::View;
 use camera::flags::{TurntableFlag, ViewFlags};
+use camera::{Look, View};
 use common::program::flags::{DepthFlag, LightFlag};
 use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Output, Program, run};
@@ -34,10 +34,10 @@ struct Camera {
 
 impl Program for Camera {
     type Flags = Flags;
-    type Method = View;
+    type Method = Look;
 
     const LESSON: Lesson = camera::LESSON;
-    const METHODS: &[Method<View>] = camera::METHODS;
+    const METHODS: &[Method<Look>] = camera::METHODS;
     const DEFAULT: &str = "lookat";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
@@ -46,26 +46,26 @@ impl Program for Camera {
         Ok(Self { normals: corner_normals(&model), model, texture, flags })
     }
 
-    fn draw(&mut self, view: &View, picture: &mut Image) -> anyhow::Result<Extras> {
+    fn draw(&mut self, look: &Look, picture: &mut Image) -> anyhow::Result<Extras> {
         let size = picture.size();
         let flags = &self.flags;
-        let all =
-            viewport(size.x, size.y, 0.5) * projection(flags.view.distance()) * flags.view.matrix(*view)?;
+        let View { origin, matrix } = flags.view.look(*look)?;
+        let all = viewport(size.x, size.y, 0.5) * projection(flags.view.distance()) * matrix;
         let scene = Scene {
             model: &self.model,
             normals: self.normals.clone(),
             texture: &self.texture,
             light: flags.light.direction,
         };
-        let drawn = gouraud(&scene, picture, |point| place(&all, point));
+        let drawn = gouraud(&scene, picture, |point| place(&all, point - origin));
         let depth = flags.depth.picture(|| drawn.depths.picture());
         Ok(Extras { depth, left_out: drawn.left_out })
     }
 
-    fn show(&mut self, view: &View, output: &Output) -> anyhow::Result<()> {
-        let Some(stops) = self.flags.turntable.stops else { return output.one(self, view) };
+    fn show(&mut self, look: &Look, output: &Output) -> anyhow::Result<()> {
+        let Some(stops) = self.flags.turntable.stops else { return output.one(self, look) };
         let from = self.flags.view;
-        output.series(self, view, stops, |camera, n| camera.flags.view = from.turned(n, stops))
+        output.series(self, look, stops, |camera, n| camera.flags.view = from.turned(n, stops))
     }
 }
 

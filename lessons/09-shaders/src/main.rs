@@ -80,7 +80,7 @@ impl Program for Shaders {
         let flags = &self.flags;
         let columns = if self.shaders.len() == 1 { 1 } else { 2 };
         let (width, height) = (picture.width() / columns, picture.height() / columns);
-        let view = projection(flags.view.distance()) * flags.view.matrix(lookat)?;
+        let view = projection(flags.view.distance()) * flags.view.look(lookat)?;
         let uniforms = Uniforms {
             normals: &self.normals,
             texture: self.texture.as_ref(),

@@ -190,6 +190,23 @@ fn what_reaches_behind_the_eye_is_left_out_and_counted() {
     }
 }
 
+/// From the eye at z = 2, a corner at z has w = 1 − z/2: 5e-6 is still in front of it, 5e-7 is not.
+#[test]
+fn just_before_the_eye_is_before_it() {
+    for (z, left_out) in [(1.99999, 0), (1.999_999, 1)] {
+        let text = format!("v -1 -1 0\nv 1 -1 0\nv 0 0 {z}\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n");
+        let (model, texture) = (Model::parse(text.as_bytes(), BOTH).unwrap(), texture());
+        let normals = corner_normals(&model);
+        let all = Uniforms {
+            normals: &normals,
+            texture: Some(&texture),
+            to_clip: to_clip(0.4, 2.0),
+            ..Uniforms::new(&model)
+        };
+        assert_eq!(drawn(&all, "gouraud", "generic", 20).1, left_out, "{z}");
+    }
+}
+
 /// A floor of two triangles half a unit below the eye, seen along z: what the texture shows at each pixel
 /// against what the ray through it meets. As (u, v) is interpolated in the picture, both triangles warp it, each
 /// in its own way; dividing by w at each pixel would mend this.
