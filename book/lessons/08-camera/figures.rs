@@ -102,7 +102,7 @@ fn view(look: Look, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let View { origin, matrix } =
         look(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
     let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * matrix;
-    let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light };
+    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light };
     Ok(smooth(500, &scene, |point| place(&all, point + moved - origin)))
 }
 
