@@ -116,6 +116,15 @@ impl Drawing {
         }
     }
 
+    /// A colour of a drawing that a dark page would show as it is.
+    #[cfg(test)]
+    pub(crate) fn without_dark_shade(&self) -> Option<String> {
+        match self {
+            Self::Svg(sheet) => sheet.without_dark_shade(),
+            Self::Pixels(..) => None,
+        }
+    }
+
     /// Writes it.
     ///
     /// # Errors

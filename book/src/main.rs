@@ -13,8 +13,10 @@
 mod check;
 mod fault;
 mod figures;
+mod glossary;
 mod html;
 mod lessons;
+mod links;
 mod markup;
 mod math;
 mod mdbook;
