@@ -26,10 +26,20 @@ impl Copy {
 
     /// `cargo` with these arguments, in the copy.
     pub(crate) fn cargo(&self, arguments: &[&str]) -> Output {
+        self.cargo_into(&self.root.join("target"), arguments)
+    }
+
+    /// The copy's book, which takes many crates: other people's are those that were built for the course itself.
+    pub(crate) fn book(&self, arguments: &[&str]) -> Output {
+        let run = ["run", "--release", "--package=book", "--"];
+        self.cargo_into(&Path::new(COURSE).join("target"), &[&run, arguments].concat())
+    }
+
+    fn cargo_into(&self, target: &Path, arguments: &[&str]) -> Output {
         Command::new(env!("CARGO"))
             .args(arguments)
             .current_dir(&self.root)
-            .env("CARGO_TARGET_DIR", self.root.join("target"))
+            .env("CARGO_TARGET_DIR", target)
             .env("CARGO_TERM_COLOR", "never")
             .output()
             .expect("cargo can be started")

@@ -53,7 +53,7 @@ fn a_lesson_is_added_by_at_most_eight_lines_in_at_most_six_files_beside_its_fold
         fs::write(&path, lines.join("\n") + "\n").expect("it can be written");
     }
     // The README's row is written by a command, but counts.
-    succeeds(&course.cargo(&["run", "--package=book", "--", "methods"]));
+    succeeds(&course.book(&["methods"]));
     let added = added(&course.root, &lesson);
     let count: usize = added.values().sum();
     assert!(added.len() <= 6 && count <= 8, "{count} lines: {added:?}");
@@ -66,7 +66,7 @@ fn a_lesson_is_added_by_at_most_eight_lines_in_at_most_six_files_beside_its_fold
     let mission = course.cargo(&["run", "--package=my-toy"]);
     let said = String::from_utf8_lossy(&mission.stderr).into_owned();
     assert!(said.contains("Nothing is written yet."), "{said}");
-    succeeds(&course.cargo(&["run", "--package=book"]));
+    succeeds(&course.book(&[]));
     let page = course.root.join(format!("target/book/{lesson}.html"));
     assert!(page.exists(), "{}", page.display());
 }
