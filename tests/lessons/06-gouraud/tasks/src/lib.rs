@@ -75,8 +75,7 @@ pub const MISSION: Mission<Gouraud> = Mission {
                     let mut image = canvas(SIDE, SIDE);
                     let size = image.size();
                     let place = |p: Vec3| (p.x < 0.1).then(|| zbuffer::to_screen(p, size));
-                    let drawn = (student.gouraud)(&scene(&MODEL, LIGHT), &mut image, &place);
-                    Raw::rows([[drawn.left_out as f32]])
+                    Raw::rows([[course(student, &mut image, &place).left_out as f32]])
                 })]
             },
             precision: Precision::EXACT,
@@ -100,9 +99,10 @@ pub const MISSION: Mission<Gouraud> = Mission {
     ],
 };
 
-/// A model under a light, with the course's texture.
-fn scene(model: &Model, light: Vec3) -> Scene<'_> {
-    Scene { model, normals: corner_normals(model), texture: &TEXTURE, light }
+/// The course's model and texture, drawn by the student.
+fn course(student: &Gouraud, image: &mut Image, place: &dyn Fn(Vec3) -> Option<Vec3>) -> Drawn {
+    let scene = Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+    (student.gouraud)(&scene, image, place)
 }
 
 /// Draws a model in white.
@@ -112,7 +112,7 @@ fn drawing(input: &str, model: Model, light: Vec3) -> Task<Gouraud> {
     Task::new(input, move |student: &Gouraud| {
         let mut image = canvas(80, 80);
         let size = image.size();
-        let scene = Scene { texture: &white, ..scene(&model, light) };
+        let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &white, light };
         (student.gouraud)(&scene, &mut image, &|p| Some(zbuffer::to_screen(p, size)));
         Raw::Picture(image)
     })
@@ -123,8 +123,7 @@ fn whole(result: fn(&Drawn, Image) -> Raw) -> Task<Gouraud> {
     Task::new("the model", move |student: &Gouraud| {
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
-        let drawn =
-            (student.gouraud)(&scene(&MODEL, LIGHT), &mut image, &|p| Some(zbuffer::to_screen(p, size)));
+        let drawn = course(student, &mut image, &|p| Some(zbuffer::to_screen(p, size)));
         result(&drawn, image)
     })
 }

@@ -96,7 +96,8 @@ fn picture(d: f32) -> Task<Transforms> {
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
         let all = (student.viewport)(size.x, size.y, 0.4) * (student.projection)(d);
-        let scene = Scene { model: &MODEL, normals: corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+        let scene =
+            Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
         gouraud::gouraud(&scene, &mut image, |p| (student.place)(&all, p));
         Raw::Picture(image)
     })

@@ -105,7 +105,7 @@ fn picture(student: &Camera) -> Raw {
     let size = image.size();
     let view = (student.lookat)(eye, center, Vec3::Y).unwrap_or(Mat4::NAN);
     let all = viewport(size.x, size.y, 0.3) * projection(eye.distance(center)) * view;
-    let scene = Scene { model: &MODEL, normals: corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+    let scene = Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
     gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
     Raw::Picture(image)
 }
