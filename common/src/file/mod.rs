@@ -16,7 +16,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use ::image::codecs::tga::TgaEncoder;
-use ::image::{DynamicImage, ImageFormat, ImageReader, ImageResult, Limits};
+use ::image::error::DecodingError;
+use ::image::{DynamicImage, ImageError, ImageFormat, ImageReader, ImageResult, Limits};
 
 pub use whole::write_whole;
 
@@ -89,6 +90,10 @@ impl Image {
             Encoding::TgaRle | Encoding::TgaRaw => ImageFormat::Tga,
             Encoding::Png => ImageFormat::Png,
         };
+        if encoding == Encoding::Png && !has_whole_palette(bytes) {
+            let reason = "a palette that ends within a colour";
+            return Err(ImageError::Decoding(DecodingError::new(format.into(), reason)));
+        }
         let mut limits = Limits::default();
         limits.max_image_width = Some(u32::from(SIDE_LIMIT));
         limits.max_image_height = Some(u32::from(SIDE_LIMIT));
@@ -131,6 +136,21 @@ impl Image {
         }
         Ok(bytes.into_inner())
     }
+}
+
+/// Whether the palette of a PNG file, if it has one, is made of whole colours: the decoder counts on it, and panics
+/// where it is not (<https://github.com/image-rs/image-png/issues/694>).
+fn has_whole_palette(bytes: &[u8]) -> bool {
+    let mut rest = bytes.get(kind::PNG.len()..).unwrap_or_default();
+    while let Some((&[a, b, c, d, ref name @ ..], data)) = rest.split_first_chunk::<8>() {
+        let length = u32::from_be_bytes([a, b, c, d]) as usize;
+        if name == b"PLTE" && length % 3 != 0 {
+            return false;
+        }
+        // Behind a chunk's data there is a checksum of four bytes.
+        rest = data.get(length.saturating_add(4)..).unwrap_or_default();
+    }
+    true
 }
 
 /// A run-length encoded TGA file in which no run crosses the end of a row.
