@@ -144,7 +144,7 @@ fn has_whole_palette(bytes: &[u8]) -> bool {
     let mut rest = bytes.get(kind::PNG.len()..).unwrap_or_default();
     while let Some((&[a, b, c, d, ref name @ ..], data)) = rest.split_first_chunk::<8>() {
         let length = u32::from_be_bytes([a, b, c, d]) as usize;
-        if name == b"PLTE" && length % 3 != 0 {
+        if name == b"PLTE" && !length.is_multiple_of(3) {
             return false;
         }
         // Behind a chunk's data there is a checksum of four bytes.
