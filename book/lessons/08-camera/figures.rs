@@ -4,7 +4,7 @@ use anyhow::Context;
 use camera::turntable::turned;
 use camera::{METHODS, View, basis, lookat};
 use common::{Color, Image, Mat3, Vec2, Vec3};
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use transforms::{place, projection, viewport};
 
 use crate::figures::picture::{all_beside, method, model, texture};
@@ -101,7 +101,13 @@ fn view(view: View, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let (model, texture, light) = (model()?, texture()?, light.normalize());
     let view = view(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
     let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * view;
-    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light };
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &texture,
+        wrap: Wrap::Clamp,
+        light,
+    };
     Ok(smooth(500, &scene, |point| place(&all, point + moved)))
 }
 
