@@ -3,7 +3,7 @@
 use checks::sphere::intensity;
 use common::{Color, Format, Image, Method, Model, Vec3};
 use fastrand::Rng;
-use gouraud::{Draw, METHODS, Scene, corner_normals};
+use gouraud::{Draw, METHODS, Scene, Wrap, corner_normals};
 
 use crate::measure::{Effort, Errors, Work};
 use crate::models::{TRIANGLES, USUAL, sphere, texture};
@@ -56,7 +56,7 @@ pub(crate) fn light(random: &mut Rng) -> Vec3 {
 fn difference(method: &Method<Draw>, model: &Model, light: Vec3, side: u16) -> (f64, f64) {
     let mut white = Image::new(1, 1, Format::Rgb);
     white.set(0, 0, Color::WHITE);
-    let scene = Scene { model, normals: &corner_normals(model), texture: &white, light };
+    let scene = Scene { model, normals: &corner_normals(model), texture: &white, wrap: Wrap::Clamp, light };
     let mut image = Image::new(side, side, Format::Rgb);
     let drawn = (method.run)(&scene, &mut image);
     let toward = light.as_dvec3().normalize();
@@ -93,7 +93,7 @@ fn work(size: usize, _: Effort) -> Vec<Work> {
     let work = |method: &'static Method<Draw>| {
         let texture: &'static Image = Box::leak(Box::new(texture()));
         let normals = corner_normals(model).leak();
-        let scene = Scene { model, normals, texture, light: Vec3::Z };
+        let scene = Scene { model, normals, texture, wrap: Wrap::Clamp, light: Vec3::Z };
         let empty = Image::new(800, 800, Format::Rgb);
         let depths = (method.run)(&scene, &mut empty.clone()).depths;
         let seen = empty.pixels().filter(|&(x, y, _)| depths.get(x, y) > f32::NEG_INFINITY).count();

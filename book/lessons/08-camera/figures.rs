@@ -4,7 +4,7 @@ use anyhow::Context;
 use camera::turntable::turned;
 use camera::{Look, METHODS, View, basis, relative};
 use common::{Color, Image, Mat3, Vec2, Vec3};
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use transforms::{place, projection, viewport};
 
 use crate::figures::picture::{all_beside, method, model, texture};
@@ -102,7 +102,13 @@ fn view(look: Look, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let View { origin, matrix } =
         look(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
     let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * matrix;
-    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light };
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &texture,
+        wrap: Wrap::Clamp,
+        light,
+    };
     Ok(smooth(500, &scene, |point| place(&all, point + moved - origin)))
 }
 

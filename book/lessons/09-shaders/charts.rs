@@ -121,6 +121,7 @@ fn earlier(name: &str, uniforms: &Uniforms, side: u16) -> Image {
                 model: uniforms.model,
                 normals: uniforms.normals,
                 texture,
+                wrap: gouraud::Wrap::Clamp,
                 light: uniforms.light,
             };
             (gouraud.run)(&scene, &mut image);

@@ -79,6 +79,7 @@ impl Program for Shaders {
         let uniforms = Uniforms {
             normals: &self.normals,
             texture: self.texture.as_ref(),
+            wrap: flags.scene.wrap,
             light: flags.scene.light.direction,
             to_clip: fit(ZOOM, Vec2::new(width as f32, height as f32)) * view,
             levels: flags.levels,

@@ -1,7 +1,7 @@
 //! Mission 6: smooth shading.
 
 use common::{Color, Image, Model, Vec3};
-use gouraud::{Drawn, Scene, corner_normals};
+use gouraud::{Drawn, Scene, Wrap, corner_normals};
 use tasks::scenery::{LIGHT, MODEL, SIDE, Square, TEXTURE, canvas, direction, squares};
 use tasks::{Check, Mission, Precision, Raw, Task};
 
@@ -101,7 +101,13 @@ pub const MISSION: Mission<Gouraud> = Mission {
 
 /// The course's model and texture, drawn by the student.
 fn course(student: &Gouraud, image: &mut Image, place: &dyn Fn(Vec3) -> Option<Vec3>) -> Drawn {
-    let scene = Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+    let scene = Scene {
+        model: &MODEL,
+        normals: &corner_normals(&MODEL),
+        texture: &TEXTURE,
+        wrap: Wrap::Clamp,
+        light: LIGHT,
+    };
     (student.gouraud)(&scene, image, place)
 }
 
@@ -112,7 +118,13 @@ fn drawing(input: &str, model: Model, light: Vec3) -> Task<Gouraud> {
     Task::new(input, move |student: &Gouraud| {
         let mut image = canvas(80, 80);
         let size = image.size();
-        let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &white, light };
+        let scene = Scene {
+            model: &model,
+            normals: &corner_normals(&model),
+            texture: &white,
+            wrap: Wrap::Clamp,
+            light,
+        };
         (student.gouraud)(&scene, &mut image, &|p| Some(zbuffer::to_screen(p, size)));
         Raw::Picture(image)
     })

@@ -2,7 +2,7 @@
 
 use common::{Mat4, Vec3};
 use fastrand::Rng;
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use tasks::scenery::{LIGHT, MODEL, SIDE, TEXTURE, canvas, point};
 use tasks::{Check, Mission, Precision, Raw, Task};
 
@@ -96,8 +96,13 @@ fn picture(d: f32) -> Task<Transforms> {
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
         let all = (student.viewport)(size.x, size.y, 0.4) * (student.projection)(d);
-        let scene =
-            Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+        let scene = Scene {
+            model: &MODEL,
+            normals: &corner_normals(&MODEL),
+            texture: &TEXTURE,
+            wrap: Wrap::Clamp,
+            light: LIGHT,
+        };
         gouraud::gouraud(&scene, &mut image, |p| (student.place)(&all, p));
         Raw::Picture(image)
     })

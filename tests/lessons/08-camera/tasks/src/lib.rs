@@ -2,7 +2,7 @@
 
 use common::{Mat3, Mat4, Vec3};
 use fastrand::Rng;
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use tasks::scenery::{LIGHT, MODEL, SIDE, TEXTURE, canvas, direction, point};
 use tasks::{Check, Mission, Precision, Raw, Task};
 use transforms::{place, projection, viewport};
@@ -105,7 +105,13 @@ fn picture(student: &Camera) -> Raw {
     let size = image.size();
     let view = (student.lookat)(eye, center, Vec3::Y).unwrap_or(Mat4::NAN);
     let all = viewport(size.x, size.y, 0.3) * projection(eye.distance(center)) * view;
-    let scene = Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+    let scene = Scene {
+        model: &MODEL,
+        normals: &corner_normals(&MODEL),
+        texture: &TEXTURE,
+        wrap: Wrap::Clamp,
+        light: LIGHT,
+    };
     gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
     Raw::Picture(image)
 }
