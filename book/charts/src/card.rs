@@ -161,13 +161,13 @@ impl Card {
         let heading = wrap(&words.title, title * 1.04, wide);
         let reading = wrap(&words.reading, text, wide);
         let caption: Vec<String> = words.caption.iter().flat_map(|line| wrap(line, 12.0, wide)).collect();
-        let across = wrap(&x.label, text, wide);
+        let [across, upright] = [x, y].map(|axis| wrap(&axis.label, text, wide));
         // Heights of lines, and from line to line.
         let (heading_step, step, small) = (title * 1.25, text * 1.35, 16.0);
         let title_top = margin + title;
         let reading_top = title_top + (heading.len() - 1) as f64 * heading_step + 8.0 + text;
         let upright_top = reading_top + (reading.len() - 1) as f64 * step + 10.0 + text;
-        let top = upright_top + 8.0;
+        let top = upright_top + (upright.len() - 1) as f64 * step + 8.0;
         let bottom = top + layout.plot_height;
         let across_top = bottom + 18.0 + 8.0 + text;
         let caption_top = across_top + (across.len() - 1) as f64 * step + 24.0;
@@ -192,7 +192,7 @@ impl Card {
         };
         lines(&heading, &mut card, title_top, heading_step, "ink", title, true);
         lines(&reading, &mut card, reading_top, step, "soft", text, false);
-        lines(&[y.label.clone()], &mut card, upright_top, step, "ink", text, false);
+        lines(&upright, &mut card, upright_top, step, "ink", text, false);
         lines(&caption, &mut card, caption_top, small, "soft", 12.0, false);
         for (n, line) in across.iter().enumerate() {
             card.text(line, [plot.right, across_top + n as f64 * step], "ink", "end", text, false);
@@ -402,7 +402,7 @@ mod tests {
 
     #[test]
     fn no_line_is_wider_than_it_may_be() {
-        let lines = wrap("one two three four", 10.0, 50.0);
+        let lines = wrap("one two three four", 10.0, 45.0);
         assert_eq!(lines, ["one two", "three", "four"]);
         assert!(LAYOUTS.iter().all(|layout| layout.text >= 12.0 && layout.label >= 12.0));
     }

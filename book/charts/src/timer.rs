@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn a_burst_has_a_time_for_each_piece() {
         let mut answers = Vec::new();
-        serve(&b"open 08-camera 1000 1\nburst 3\n"[..], &mut answers).unwrap();
+        serve(&b"open 07-transforms-rotations 1000 1\nburst 3\n"[..], &mut answers).unwrap();
         let text = String::from_utf8(answers).unwrap();
         let lines: Vec<Vec<f64>> = text
             .lines()

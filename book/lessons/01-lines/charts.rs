@@ -50,11 +50,7 @@ pub(crate) const COVERAGE_CHART: Chart = Chart {
     name: "01-lines-coverage",
     job: "Lesson 1, a line one pixel thick",
     methods: || METHODS.iter().map(|method| method.name).collect(),
-    error: Quantity {
-        name: "error of a pixel's share",
-        unit: "of the pixel",
-        limit: (0.1, "within 1/10 of a pixel"),
-    },
+    error: Quantity { name: "error of a pixel's share", unit: "of the pixel", limit: (0.1, "within 1/10") },
     further: &["ink_%"],
     samples: "random segments of 9 to 999 px in all directions, without their ends",
     exhaustive: false,
