@@ -65,14 +65,21 @@ fn leads_nowhere(link: &Link, from: &Made, pages: &[(&Made, Option<String>)], st
 fn unlinked(page: &Made, text: &str, targets: &Targets, book: &Path) -> Vec<Fault> {
     static CODE: LazyLock<Regex> =
         LazyLock::new(|| Regex::new("<code>([^<]*)</code>").expect("the pattern is right"));
+    // With a tag goes what its attributes say, as the words for who cannot see a figure.
+    static TAG: LazyLock<Regex> =
+        LazyLock::new(|| Regex::new("</?([a-z0-9]+)[^>]*>").expect("the pattern is right"));
     let main = text.split_once("<main>").map_or(text, |parts| parts.1);
     let main = main.split_once("</main>").map_or(main, |parts| parts.0);
     let words = [AWAY.as_slice(), &["code"]]
         .concat()
         .iter()
         .fold(main.to_string(), |rest, name| without(&rest, name));
-    let words =
-        words.replace("<em>", "").replace("</em>", "").replace("<strong>", "").replace("</strong>", "");
+    let words = TAG.replace_all(
+        &words,
+        |tag: &regex::Captures| {
+            if ["em", "strong"].contains(&&tag[1]) { "" } else { "\0" }
+        },
+    );
     let mut named: Vec<String> = Vec::new();
     for mention in MENTION.find_iter(&words) {
         let numbers = NUMBER.captures_iter(mention.as_str()).filter_map(|found| found[1].parse().ok());
@@ -189,6 +196,7 @@ mod tests {
             "<a href=\"glossary.html#pixel\">pixel</a> pixel",
             "<code><a href=\"02-b.html#code-2-fill\">fill</a></code> <code>fill</code>",
             "<pre><code>fill</code></pre> <article>lesson 3</article>",
+            "<img alt=\"In lesson 2, a pixel.\">",
         ] {
             assert_eq!(unlinked(html), [""; 0], "{html}");
         }

@@ -20,9 +20,9 @@ pub(crate) static MENTION: LazyLock<Regex> = LazyLock::new(|| {
     Regex::new(pattern).expect("the pattern is right")
 });
 
-/// One number of a mention, the first with the word before it.
+/// One number of a mention, the first with the word before it, which is longer than "and" or "to".
 pub(crate) static NUMBER: LazyLock<Regex> =
-    LazyLock::new(|| Regex::new(r"(?:[A-Za-z]+\s+)?(\d+)").expect("the pattern is right"));
+    LazyLock::new(|| Regex::new(r"(?:[A-Za-z]{6,}\s+)?(\d+)").expect("the pattern is right"));
 
 /// What the words of a page can lead to.
 pub(crate) struct Targets<'a> {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use anyhow::Context;
 use common::{Bounds, Color, Format, IVec2, Image, Vec2, Vec3};
+use lines::line;
 use triangles::{METHODS, Triangle, draw_model, fill, flat_intensity};
 
 use crate::figures::picture::{all_beside, beside, canvas, method, model};
@@ -20,6 +21,12 @@ pub(crate) const FIGURES: &[Figure] = &[
         "triangles-head",
         "The head twice: each of its triangles in a random colour, and in greys, as if lit from the front.",
         head,
+    ),
+    Figure::new(
+        "triangles-half",
+        "Three triangles, each filled up to the height of its middle corner. The side from the lowest to the middle \
+         corner is white, from the middle to the highest green, from the lowest to the highest red.",
+        half,
     ),
     Figure::new(
         "triangles-sweep",
@@ -107,14 +114,37 @@ pub(crate) const FIGURES: &[Figure] = &[
 ];
 
 /// The slides' three triangles.
+const THREE: [([(f32, f32); 3], Color); 3] = [
+    ([(10.0, 70.0), (50.0, 160.0), (70.0, 80.0)], Color::RED),
+    ([(180.0, 50.0), (150.0, 1.0), (70.0, 180.0)], Color::WHITE),
+    ([(180.0, 150.0), (120.0, 160.0), (130.0, 180.0)], Color::GREEN),
+];
+
 fn three() -> anyhow::Result<Drawing> {
     let mut image = canvas(200);
-    for (corners, color) in [
-        ([(10.0, 70.0), (50.0, 160.0), (70.0, 80.0)], Color::RED),
-        ([(180.0, 50.0), (150.0, 1.0), (70.0, 180.0)], Color::WHITE),
-        ([(180.0, 150.0), (120.0, 160.0), (130.0, 180.0)], Color::GREEN),
-    ] {
+    for (corners, color) in THREE {
         (method(METHODS, "edges")?.draw)(corners.map(Vec2::from), &mut image, color);
+    }
+    Ok(Drawing::Pixels(image, 3))
+}
+
+/// The same up to their middle corners, with each side in the colour of its place.
+fn half() -> anyhow::Result<Drawing> {
+    let mut image = canvas(200);
+    for (corners, _) in THREE {
+        let mut sorted = corners.map(Vec2::from);
+        sorted.sort_by(|a, b| a.y.total_cmp(&b.y));
+        let [low, middle, high] = sorted;
+        (method(METHODS, "sweep")?.visit)(sorted, image.bounds(), &mut |x, y, _| {
+            if y < middle.y as i32 {
+                image.set(x, y, Color::rgb(70, 110, 150));
+            }
+        });
+        for (from, to, color) in
+            [(low, high, Color::RED), (low, middle, Color::WHITE), (middle, high, Color::GREEN)]
+        {
+            line(from.as_ivec2(), to.as_ivec2(), &mut image, color);
+        }
     }
     Ok(Drawing::Pixels(image, 3))
 }

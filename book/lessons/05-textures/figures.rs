@@ -1,7 +1,10 @@
 //! Chapter 5: colour from a picture.
 
+use std::path::Path;
+
 use anyhow::Context;
-use common::{Color, Format, Image, Model, Vec2, Vec3};
+use common::program::model::DEFAULT_MODEL;
+use common::{Attributes, Color, Format, Image, Model, Vec2, Vec3};
 use textures::{METHODS, interpolate, texel};
 use triangles::{barycentric::weights, fill};
 use zbuffer::{DepthBuffer, fill_nearest, surfaces, to_screen, z_f32};
@@ -25,6 +28,11 @@ pub(crate) const FIGURES: &[Figure] = &[
         "Left the texture, a face spread out flat. Right the head, redder the larger u is and greener the larger \
          v is.",
         coordinates,
+    ),
+    Figure::new(
+        "textures-second",
+        "A knotted tube three times: in grey, chequered, and with the boards of a crate along it.",
+        second,
     ),
     Figure::new(
         "textures-map",
@@ -101,6 +109,16 @@ fn coordinates() -> anyhow::Result<Drawing> {
     // A texture whose colour at (u, v) says (u, v).
     let gradient = painted(256, 256, |x, y| Color::rgb(x as u8, y as u8, 64));
     beside([&texture()?.scale(600, 600), &nearest(&model()?, &gradient, canvas(600))?])
+}
+
+/// Another model: the same places in two textures.
+fn second() -> anyhow::Result<Drawing> {
+    let beside_head = |name: &str| Path::new(DEFAULT_MODEL).with_file_name(name);
+    let knot = Model::read(&beside_head("torus-knot.obj"), Attributes { normals: false, uvs: true })?;
+    let white = painted(1, 1, |_, _| Color::WHITE);
+    let board = chequered(64, 16, [Color::rgb(250, 235, 200), Color::rgb(20, 90, 130)]);
+    let wood = Image::read(&beside_head("crate.png"))?;
+    all_beside([white, board, wood].map(|texture| nearest(&knot, &texture, canvas(600))))
 }
 
 fn map() -> anyhow::Result<Drawing> {

@@ -310,7 +310,7 @@ fn circle() -> anyhow::Result<Drawing> {
 
 fn gimbal() -> anyhow::Result<Drawing> {
     let see = seen_from(Vec3::new(2.4, 1.3, 2.6))?;
-    let mut sheet = Sheet::new((-2.0, -2.4), (6.4, 2.2));
+    let mut sheet = Sheet::new((-2.3, -2.4), (6.7, 2.2));
     for (left, pitch) in [(0.0, 20.0), (4.4, 90.0)] {
         let origin = Vec2::new(left, 0.0);
         let (outer, middle) = (rotate_y(-20.0), rotate_y(-20.0) * rotate_x(pitch));
@@ -320,8 +320,15 @@ fn gimbal() -> anyhow::Result<Drawing> {
             (middle * Vec3::Z, 1.0, ORANGE, "inner, z"),
         ] {
             sheet.polyline(ring(Vec3::ZERO, axis, radius).map(|point| origin + see(point)), ink, 3.0);
-            sheet.arrow(origin, origin + see(axis * (radius + 0.35)), ink);
-            sheet.text(origin + see(axis * (radius + 0.35)) * 1.14, name, ink);
+            let end = see(axis * (radius + 0.35));
+            sheet.arrow(origin, origin + end, ink);
+            // Beside the tip, away from the rings.
+            let beside = origin + end + end.normalize_or_zero() * 0.24;
+            match end.x {
+                x if x > 0.3 => sheet.text_right_of(beside, name, ink),
+                x if x < -0.3 => sheet.text_left_of(beside, name, ink),
+                _ => sheet.text(beside, name, ink),
+            }
         }
         sheet.text(origin + Vec2::new(0.0, -2.15), &format!("pitch {pitch}°"), BLACK);
     }
