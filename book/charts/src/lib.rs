@@ -226,11 +226,14 @@ fn measure_all(run: &mut Run, charts: &[&Chart], comparisons: &[&Comparison]) ->
     Ok(())
 }
 
+/// How wrong the methods of a table are: over samples, and under stress.
+type Wrong = (Vec<Errors>, Vec<Series>);
+
 /// The errors of all tables and how they grow under stress, on all of the machine's cores, while nothing is timed.
-fn all_errors(charts: &[&Chart], effort: Effort, bar: &ProgressBar) -> Vec<(Vec<Errors>, Vec<Series>)> {
+fn all_errors(charts: &[&Chart], effort: Effort, bar: &ProgressBar) -> Vec<Wrong> {
     bar.set_message("errors");
     let next = AtomicUsize::new(0);
-    let found: Mutex<BTreeMap<usize, (Vec<Errors>, Vec<Series>)>> = Mutex::default();
+    let found: Mutex<BTreeMap<usize, Wrong>> = Mutex::default();
     let work = || {
         loop {
             let n = next.fetch_add(1, Ordering::Relaxed);
