@@ -35,6 +35,9 @@ const MATERIAL_LIMIT: usize = 256;
 /// The three lists of an OBJ file, in the order in which a face's corner names them: `position/uv/normal`.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
+/// What is wrong with an `l` line that is left out.
+const BAD_LINE: &str = "a corner is missing or not finite";
+
 /// The numbers of an element of each list: how many there may be, and how many there must.
 const NUMBERS: [(&str, usize, usize); 3] = [("v", 3, 3), ("vt", 2, 1), ("vn", 3, 3)];
 
@@ -152,7 +155,8 @@ impl<'a> Contents<'a> {
                 Some(b"l") => contents.polyline(&mut words, offset),
                 Some(b"mtllib") if wanted.uvs => {
                     let name = words.rest();
-                    if contents.libraries.len() < MATERIAL_LIMIT && !contents.libraries.contains(&name) {
+                    let seen = name.is_empty() || contents.libraries.contains(&name);
+                    if contents.libraries.len() < MATERIAL_LIMIT && !seen {
                         contents.libraries.push(name);
                     }
                 }
@@ -330,6 +334,11 @@ impl<'a> Contents<'a> {
         let Building { model, .. } = &building;
         if model.triangles.is_empty() && model.lines.is_empty() {
             return Err(match &skipped {
+                None if lines_left_out > 0 => {
+                    format!(
+                        "none of its {lines_left_out} `l` lines can be used: {BAD_LINE}, and it has no faces"
+                    )
+                }
                 None => "there is no face in it; is it an OBJ file?".into(),
                 Some(Skipped { of, first, .. }) => {
                     format!("none of its {of} faces can be used; the first, {first}")
@@ -347,9 +356,7 @@ impl<'a> Contents<'a> {
         }
         if lines_left_out > 0 {
             let of = self.polylines.len();
-            remarks.push(format!(
-                "left out {lines_left_out} of {of} `l` lines: a corner is missing or not finite"
-            ));
+            remarks.push(format!("left out {lines_left_out} of {of} `l` lines: {BAD_LINE}"));
         }
         let text =
             |names: &[&[u8]]| names.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
@@ -494,13 +501,18 @@ fn no_numbers(words: &mut Words, kind: usize) -> String {
                     "`{shown}` has a comma: write a point in a number, and a blank between numbers"
                 );
             }
-            None if word.iter().any(|byte| byte.eq_ignore_ascii_case(&b'd')) => {
+            None if has_exponent_with_d(word) => {
                 return format!("`{shown}` is not a number: an exponent is written with an E");
             }
             None => return format!("`{shown}` is not a number"),
         }
     }
     "it is not made of finite numbers".into()
+}
+
+/// Whether a word is a number as Fortran writes it, `1.0D-01`.
+fn has_exponent_with_d(word: &[u8]) -> bool {
+    text(word).is_some_and(|word| word.replace(['D', 'd'], "e").parse::<f64>().is_ok())
 }
 
 /// A word that is text, as all numbers are.
@@ -520,10 +532,9 @@ fn corner(word: &[u8], used: [bool; 3]) -> Result<[Option<i64>; 3], String> {
         let Some(part) = parts.next() else { break };
         if used && !part.is_empty() {
             let number = text(part).and_then(|part| part.parse().ok());
-            *index = Some(
-                number
-                    .ok_or_else(|| format!("corner `{}`: `{}` is not an index", shown(word), shown(part)))?,
-            );
+            let cure = if part.contains(&b',') { ": write blanks between corners, and no comma" } else { "" };
+            let no_index = || format!("corner `{}`: `{}` is not an index{cure}", shown(word), shown(part));
+            *index = Some(number.ok_or_else(no_index)?);
         }
     }
     Ok(indices)
@@ -602,6 +613,14 @@ mod tests {
             ("f 1 2", "line 9: a face needs 3 corners, this has 2"),
             ("f", "line 9: a face needs 3 corners, this has 0"),
             ("f 1 2 x", "line 9: corner `x`: `x` is not an index"),
+            (
+                "f 1, 2, 3",
+                "line 9: corner `1,`: `1,` is not an index: write blanks between corners, and no comma",
+            ),
+            (
+                "f 1,2,3",
+                "line 9: corner `1,2,3`: `1,2,3` is not an index: write blanks between corners, and no comma",
+            ),
             ("f 1 2 /1", "line 9: `/1` is not a corner"),
             ("f 1 2 3/1/1/1", "line 9: `3/1/1/1` is not a corner"),
             ("f 1/1 2/1 3/9", "line 9: corner `3/9`: there is no texture coordinate 9 among 2"),
@@ -658,6 +677,11 @@ mod tests {
             ("0.8, 0.8, 0", &format!("`0.8,` {comma}")),
             ("1.0D-01 0 0", "`1.0D-01` is not a number: an exponent is written with an E"),
             ("0 0 \u{661}", "`\u{661}` is not a number"),
+            // As C libraries of Windows write what is not finite.
+            ("-nan(ind) 0 0", "`-nan(ind)` is not a number"),
+            ("1.#QNAN 0 0", "`1.#QNAN` is not a number"),
+            ("0 0 -1.#IND", "`-1.#IND` is not a number"),
+            ("1.#INF00e+000 0 0", "`1.#INF00e+000` is not a number"),
         ] {
             let model = read(&format!("v {bad}\nf 1 2 3\nf 1 2 5"), NONE).unwrap();
             assert_eq!(model.triangles.len(), 1);
@@ -722,11 +746,15 @@ mod tests {
         assert_eq!(model.positions(), [Vec3::ZERO, Vec3::X, Vec3::Y]);
         assert_eq!(model.faces().len(), 0);
         assert_eq!(model.remarks(), ["left out 3 of 4 `l` lines: a corner is missing or not finite"]);
+        assert_eq!(
+            read("l 1 9\nl 4", NONE).unwrap_err(),
+            "none of its 2 `l` lines can be used: a corner is missing or not finite, and it has no faces"
+        );
     }
 
     #[test]
     fn a_model_knows_its_materials() {
-        let text = "mtllib a b.mtl\nmtllib c.mtl # c\nmtllib c.mtl\nusemtl unused\nusemtl  red \nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3";
+        let text = "mtllib \nmtllib a b.mtl\nmtllib c.mtl # c\nmtllib c.mtl\nusemtl unused\nusemtl  red \nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3";
         let model = read(text, ALL).unwrap();
         assert_eq!(model.materials().libraries, ["a b.mtl", "c.mtl"]);
         assert_eq!(model.materials().used, ["red", "blue"]);
