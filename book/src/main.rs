@@ -12,15 +12,11 @@
 
 mod check;
 mod fault;
-mod figures;
 mod html;
-mod lessons;
 mod markup;
 mod math;
 mod mdbook;
 mod page;
-#[path = "../pages/mod.rs"]
-mod pages;
 mod pictures;
 mod quiz;
 mod quote;

@@ -13,8 +13,8 @@ use shaders::{Framebuffer, SHADERS, Uniforms, fit};
 use transforms::{place, viewport};
 
 use super::card::LAYOUTS;
+use super::digits::three_digits;
 use super::draw::{Line, Lines, lines};
-use super::figures::three_digits;
 use super::measure::Work;
 use super::scene::draw;
 use super::table::{Series, number};
