@@ -264,6 +264,9 @@ impl Sheet {
     }
 
     /// The drawing, finished.
+    ///
+    /// # Errors
+    /// Never; a figure may fail, and a sheet is most often its end.
     pub fn finish(self) -> anyhow::Result<Drawing> {
         Ok(self.into())
     }
