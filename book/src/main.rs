@@ -12,17 +12,13 @@
 
 mod check;
 mod fault;
-mod figures;
 mod glossary;
 mod html;
-mod lessons;
 mod links;
 mod markup;
 mod math;
 mod mdbook;
 mod page;
-#[path = "../pages/mod.rs"]
-mod pages;
 mod pictures;
 mod quiz;
 mod quote;

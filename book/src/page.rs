@@ -29,13 +29,13 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use regex::Regex;
 
 use crate::fault::Fault;
-use crate::figures::Drawn;
-use crate::lessons::tables;
 use crate::markup::{escaped, guarded};
 use crate::math::mathml;
 use crate::quiz;
 use crate::quote::Quote;
 use crate::values::{Table, spelled};
+use charts::figures::Drawn;
+use charts::lessons::tables;
 
 /// What a page can draw on.
 pub(crate) struct Sources<'a> {
@@ -415,8 +415,8 @@ fn ensure_margin(at_margin: bool, what: &str) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::Figure;
-    use crate::figures::sheet::Sheet;
+    use charts::figures::Figure;
+    use charts::figures::sheet::Sheet;
 
     /// A page of this source in a folder with one lesson file and one table.
     fn page(source: &str) -> Page {

@@ -145,8 +145,9 @@ fn a_model_far_from_the_origin_is_drawn_as_it_is() {
     cube("near.obj", [0.0; 3]);
     cube("far.obj", place);
     let draw = |lesson: &str, model: &str, [x, y, z]: [f64; 3]| {
-        let eye = format!("{},{},{}", x + 1.25, y + 1.5, z + 2.75);
-        let center = format!("{},{},{}", x + 0.5, y + 0.5, z + 0.5);
+        // At distances that an f32 has not so far away.
+        let eye = format!("{:.2},{:.2},{:.2}", x + 1.21, y + 1.57, z + 2.83);
+        let center = format!("{:.2},{:.2},{:.2}", x + 0.42, y + 0.61, z + 0.38);
         let arguments = [
             "--model",
             model,

@@ -19,7 +19,11 @@ struct Scale {
 
 impl Scale {
     /// For these values; the names of what is infinite and of what is 0.
-    fn new(values: impl Iterator<Item = f64> + Clone, sign: f64, [failed, none]: [&'static str; 2]) -> Self {
+    fn new(
+        values: &(impl Iterator<Item = f64> + Clone),
+        sign: f64,
+        [failed, none]: [&'static str; 2],
+    ) -> Self {
         let finite = values.clone().filter(|value| value.is_finite() && *value > 0.0).map(f64::log10);
         let (low, high) =
             finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
@@ -93,7 +97,7 @@ pub(crate) struct Dot {
 pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<String> {
     let Quantity { name, unit, limit } = of.error;
     let errors: Vec<[f64; 2]> = of.dots.iter().map(|dot| [dot.worst, dot.mean]).collect();
-    let x_scale = Scale::new(errors.iter().flatten().copied().chain([limit.0]), -1.0, ["fails", of.none]);
+    let x_scale = Scale::new(&errors.iter().flatten().copied().chain([limit.0]), -1.0, ["fails", of.none]);
     let x = x_scale.axis(format!("{name}, {unit}; more accurate →"));
     let rates: Vec<[f64; 3]> = of.dots.iter().map(|dot| dot.speed.map(f64::log10)).collect();
     let y = speed_axis(rates.iter().flatten().copied(), format!("{}; faster ↑", of.speed), of.times);
@@ -248,9 +252,9 @@ pub(crate) struct Line {
 pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<String> {
     let values = || of.lines.iter().flat_map(|line| line.points.iter());
     let limits = of.limit.map(|limit| limit.0);
-    let y_scale = Scale::new(values().map(|point| point.1).chain(limits), 1.0, ["fails", "none"]);
+    let y_scale = Scale::new(&values().map(|point| point.1).chain(limits), 1.0, ["fails", "none"]);
     let y = y_scale.axis(format!("{}, {}; lower is better", of.what, of.unit));
-    let x_scale = Scale::new(values().map(|point| point.0), if of.falling { -1.0 } else { 1.0 }, ["∞", "0"]);
+    let x_scale = Scale::new(&values().map(|point| point.0), if of.falling { -1.0 } else { 1.0 }, ["∞", "0"]);
     let mut x = x_scale.axis(of.across.clone());
     // Room for the labels, which stand to the right of the last points.
     x.range[1] += (x.range[1] - x.range[0]) * 0.28;
@@ -344,7 +348,7 @@ mod tests {
 
     #[test]
     fn exact_and_failed_lie_outside_the_scale() {
-        let scale = Scale::new([0.01, 10.0, 0.0, f64::INFINITY].into_iter(), -1.0, ["fails", "exact"]);
+        let scale = Scale::new(&[0.01, 10.0, 0.0, f64::INFINITY].into_iter(), -1.0, ["fails", "exact"]);
         let [failed, worst, best, exact] = [f64::INFINITY, 10.0, 0.01, 0.0].map(|error| scale.at(error));
         assert!(failed < worst && worst < best && best < exact);
         let axis = scale.axis(String::new());

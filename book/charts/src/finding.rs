@@ -47,7 +47,7 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
     let never: Vec<&str> =
         lines.iter().filter(|line| line.ringed.is_none()).map(|line| line.name.as_str()).collect();
     let failing = lines.iter().filter_map(|line| Some((line.ringed?, *line)));
-    let at = |at: usize, line: &Line| super::figures::readable(line.points[at].0);
+    let at = |at: usize, line: &Line| super::digits::readable(line.points[at].0);
     let first = failing.clone().min_by_key(|(at, _)| *at);
     let last = failing.max_by_key(|(at, _)| *at);
     let (Some((n, first)), Some((m, last))) = (first, last) else {
@@ -149,7 +149,8 @@ mod tests {
 
     #[test]
     fn who_is_hardly_slower_stays_the_fastest() {
-        let chart = super::super::CHARTS.iter().find(|chart| chart.name == "03-triangles").unwrap();
+        let chart =
+            crate::lessons::all_charts().into_iter().find(|chart| chart.name == "03-triangles").unwrap();
         let of = |method: &str, costs: [f64; 3]| -> Vec<Point> {
             let point = |(at, cost): (&str, f64)| Point {
                 method: method.into(),

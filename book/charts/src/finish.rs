@@ -14,8 +14,8 @@ use serde_json::json;
 use shaders::{Call, Draw, Look, METHODS, SHADERS};
 
 use super::card::LAYOUTS;
+use super::digits::three_digits;
 use super::draw::{Dot, Speed, speed};
-use super::figures::three_digits;
 use super::finding::times;
 use super::frontier::{Figure, frontier};
 use super::measure::Work;

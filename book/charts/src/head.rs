@@ -10,8 +10,8 @@ use serde_json::json;
 use shaders::{Framebuffer, SHADERS};
 
 use super::card::LAYOUTS;
+use super::digits::three_digits;
 use super::draw::{Line, Lines, lines};
-use super::figures::three_digits;
 use super::measure::Work;
 use super::needs::{SHADED, coverage, drawing, front};
 use super::scene::draw;

@@ -6,17 +6,20 @@
 
 mod builds;
 mod card;
+mod digits;
 mod draw;
-mod figures;
+pub mod figures;
 mod finding;
 mod finish;
 mod frontier;
 mod head;
-mod lessons;
+pub mod lessons;
 mod machine;
 mod measure;
 mod models;
 mod needs;
+#[path = "../../pages/mod.rs"]
+mod pages;
 mod place;
 mod scene;
 mod speed;
@@ -38,30 +41,13 @@ use serde_json::json;
 
 use builds::Builds;
 use card::LAYOUTS;
-use figures::{known_digits, last_digit, three_digits};
+use digits::{known_digits, last_digit, three_digits};
+use lessons::all_charts;
 use machine::Machine;
 use measure::{Effort, Errors, Work};
 use table::{Chart, Point, Row, Series, number, read_points, read_rows, rows, write_points, write_rows};
 
 pub use timer::serve;
-
-/// The tables of methods, in the order of the lessons.
-const CHARTS: &[Chart] = &[
-    lessons::lines::CHART,
-    lessons::lines::COVERAGE_CHART,
-    lessons::wireframe::CHART,
-    lessons::triangles::CHART,
-    lessons::zbuffer::CHART,
-    lessons::textures::CHART,
-    lessons::gouraud::CHART,
-    lessons::transforms::METHODS_CHART,
-    lessons::transforms::ROTATIONS_CHART,
-    lessons::transforms::INVERSES_CHART,
-    lessons::camera::CHART,
-    lessons::shaders::METHODS_CHART,
-    lessons::shaders::WHITE_CHART,
-    lessons::shaders::TEXTURED_CHART,
-];
 
 /// A comparison of whole pictures: its pieces of work, how it is measured, and how it is drawn.
 struct Comparison {
@@ -166,7 +152,7 @@ pub fn run(flags: &Flags) -> anyhow::Result<()> {
     let effort = Effort { quick: flags.quick || flags.again.is_some(), seed: flags.seed };
     let wanted =
         |name: &str| flags.lesson.as_ref().is_none_or(|lesson| name.starts_with(&format!("{lesson:0>2}-")));
-    let charts: Vec<&Chart> = CHARTS.iter().filter(|chart| wanted(chart.name)).collect();
+    let charts: Vec<&Chart> = all_charts().into_iter().filter(|chart| wanted(chart.name)).collect();
     ensure!(
         !charts.is_empty(),
         "--lesson {}: no lesson of that number has a table",
@@ -198,7 +184,7 @@ pub fn run(flags: &Flags) -> anyhow::Result<()> {
 pub fn measure_missing(quick: bool) -> anyhow::Result<()> {
     let folder = Path::new(COMMITTED);
     let is_missing = |name: &str| !folder.join(format!("{name}.csv")).is_file();
-    let charts: Vec<&Chart> = CHARTS.iter().filter(|chart| is_missing(chart.name)).collect();
+    let charts: Vec<&Chart> = all_charts().into_iter().filter(|chart| is_missing(chart.name)).collect();
     let comparisons: Vec<&Comparison> =
         COMPARISONS.iter().filter(|comparison| is_missing(comparison.name)).collect();
     if charts.is_empty() && comparisons.is_empty() {
@@ -226,11 +212,14 @@ fn measure_all(run: &mut Run, charts: &[&Chart], comparisons: &[&Comparison]) ->
     Ok(())
 }
 
+/// How wrong the methods of a table are: over samples, and under stress.
+type Wrong = (Vec<Errors>, Vec<Series>);
+
 /// The errors of all tables and how they grow under stress, on all of the machine's cores, while nothing is timed.
-fn all_errors(charts: &[&Chart], effort: Effort, bar: &ProgressBar) -> Vec<(Vec<Errors>, Vec<Series>)> {
+fn all_errors(charts: &[&Chart], effort: Effort, bar: &ProgressBar) -> Vec<Wrong> {
     bar.set_message("errors");
     let next = AtomicUsize::new(0);
-    let found: Mutex<BTreeMap<usize, (Vec<Errors>, Vec<Series>)>> = Mutex::default();
+    let found: Mutex<BTreeMap<usize, Wrong>> = Mutex::default();
     let work = || {
         loop {
             let n = next.fetch_add(1, Ordering::Relaxed);
@@ -264,8 +253,8 @@ fn draw_all(folder: &Path, charts: &[&Chart], comparisons: &[&Comparison]) -> an
     }
     if same(folder, Path::new(COMMITTED)) {
         write_summary()
-    } else if charts.len() == CHARTS.len() {
-        summary::write(CHARTS, folder)
+    } else if charts.len() == all_charts().len() {
+        summary::write(&all_charts(), folder)
     } else {
         Ok(())
     }
@@ -277,7 +266,7 @@ fn draw_all(folder: &Path, charts: &[&Chart], comparisons: &[&Comparison]) -> an
 /// Figures that are not there.
 pub fn write_summary() -> anyhow::Result<()> {
     let folder = Path::new(COMMITTED);
-    summary::write(CHARTS, folder)?;
+    summary::write(&all_charts(), folder)?;
     summary::write_readme(folder, Path::new(README))
 }
 
@@ -316,7 +305,8 @@ fn progress(steps: usize) -> anyhow::Result<ProgressBar> {
 
 /// The pieces of work of that name and size: of a table or of a comparison.
 fn works(name: &str, size: usize, effort: Effort) -> Option<Vec<Work>> {
-    let table = CHARTS.iter().find(|chart| chart.name == name).map(|chart| (chart.work)(size, effort));
+    let table =
+        all_charts().into_iter().find(|chart| chart.name == name).map(|chart| (chart.work)(size, effort));
     table.or_else(|| {
         let comparison = COMPARISONS.iter().find(|comparison| comparison.name == name)?;
         (comparison.works)(size).ok()

@@ -13,8 +13,8 @@ use shaders::{Framebuffer, SHADERS, Uniforms, fit};
 use transforms::{place, viewport};
 
 use super::card::LAYOUTS;
+use super::digits::three_digits;
 use super::draw::{Line, Lines, lines};
-use super::figures::three_digits;
 use super::measure::Work;
 use super::scene::draw;
 use super::table::{Series, number};
@@ -269,7 +269,7 @@ fn shading_chart<'a>(rows: &[Row], caption: &str) -> Lines<'a> {
         Line { name: (*shader).into(), method: n, points, ringed, does_it: true }
     };
     let ringed = mine(SHADED[1]).find(|row| row.shading_rule).map_or(0, |row| row.segments);
-    let finest = |shader| mine(shader).last().map_or("inf", |row| row.shading_max.as_str());
+    let finest = |shader| mine(shader).next_back().map_or("inf", |row| row.shading_max.as_str());
     Lines {
         name: "needs-shading",
         title: format!(

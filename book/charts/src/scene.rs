@@ -1,7 +1,7 @@
 //! Lesson 9's scene, drawn by its shaders and computed without them.
 
 use camera::lookat;
-use checks::render::{Face, sampled};
+use checks::supersampled::{Face, sampled};
 use common::{Format, Image, Model, Vec2, Vec3};
 use gouraud::corner_normals;
 use shaders::{Draw, Framebuffer, Uniforms, fit};
@@ -60,7 +60,7 @@ pub(crate) fn exact(
 ) -> Vec<[f64; 3]> {
     let attributes = corner_normals(model).into_iter().zip(model.face_uvs());
     let faces = model.faces().zip(attributes).map(|(corners, (normals, uvs))| Face { corners, normals, uvs });
-    let subject = checks::render::Subject {
+    let subject = checks::supersampled::Subject {
         faces: faces.collect(),
         texture,
         light: light.as_dvec3().normalize(),

@@ -9,7 +9,7 @@ use common::file::write_whole;
 use super::table::{Chart, Row, number, read_rows};
 
 /// Writes the page and the short version beside the charts, from their CSV files there.
-pub(crate) fn write(charts: &[Chart], folder: &Path) -> anyhow::Result<()> {
+pub(crate) fn write(charts: &[&Chart], folder: &Path) -> anyhow::Result<()> {
     for (name, text) in pages(charts, folder)? {
         write_whole(&folder.join(name), text.as_bytes())?;
     }
@@ -24,7 +24,7 @@ pub(crate) fn write_readme(folder: &Path, readme: &Path) -> anyhow::Result<()> {
 }
 
 /// The two pages, each with its file's name.
-pub(crate) fn pages(charts: &[Chart], folder: &Path) -> anyhow::Result<[(&'static str, String); 2]> {
+pub(crate) fn pages(charts: &[&Chart], folder: &Path) -> anyhow::Result<[(&'static str, String); 2]> {
     let mut page = String::from(
         "| method | worst error found | mean error | time | x86-64-v3 | which, when |\n|:--|--:|--:|--:|--:|:--|\n",
     );

@@ -6,7 +6,7 @@ use anyhow::Context;
 use common::file::write_whole;
 use serde::{Deserialize, Serialize};
 
-use super::figures::{known_digits, three_digits};
+use super::digits::{known_digits, three_digits};
 use super::frontier::{Figure, frontier};
 use super::measure::{Effort, Errors, Work};
 use super::speed::Speed;

@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod answers;
+pub(crate) mod charts;
 pub(crate) mod figures;
 
 use crate::lessons::Lesson;
@@ -12,4 +13,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     picture: "A wireframe",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

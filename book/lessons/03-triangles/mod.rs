@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod answers;
+pub(crate) mod charts;
 pub(crate) mod figures;
 
 use crate::lessons::{Lesson, Picture};
@@ -15,4 +16,5 @@ pub(crate) const LESSON: Lesson = Lesson {
         Picture { name: "flat", flags: &["--model"] },
     ],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

@@ -76,8 +76,9 @@ fn off(got: Option<View>, eye: Vec3, center: Vec3) -> (f64, f64) {
 
 /// The corners of a cube about a point, as f32 has them there.
 fn cube(center: Vec3) -> [Vec3; 8] {
-    [0_u8, 1, 2, 3, 4, 5, 6, 7]
-        .map(|n| center + Vec3::from_array([n & 1, n >> 1 & 1, n >> 2].map(|bit| f32::from(bit) * 2.0 - 1.0)))
+    [0_u8, 1, 2, 3, 4, 5, 6, 7].map(|n| {
+        center + Vec3::from_array([n & 1, (n >> 1) & 1, n >> 2].map(|bit| f32::from(bit) * 2.0 - 1.0))
+    })
 }
 
 fn errors(effort: Effort) -> Vec<Errors> {

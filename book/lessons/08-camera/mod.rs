@@ -2,14 +2,16 @@
 
 #[cfg(test)]
 mod answers;
+pub(crate) mod charts;
 pub(crate) mod figures;
 
 use crate::lessons::Lesson;
 
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: camera::LESSON,
-    methods: "the slides' view matrix, and the right one",
+    methods: "the slides' view matrix, the right one, and one for centres far away",
     picture: "The head from above and the right",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

@@ -4,7 +4,7 @@ use common::{Format, Image, Method, Vec3};
 use gouraud::corner_normals;
 use shaders::{Draw, Framebuffer, Look, METHODS, SHADERS, Uniforms};
 
-use super::gouraud::light;
+use crate::lessons::gouraud::charts::light;
 use crate::measure::{Effort, Errors, Work};
 use crate::models::{TRIANGLES, USUAL, sphere, texture};
 use crate::scene::{EYE, Subject, channels, draw, exact};

@@ -809,6 +809,12 @@ mod tests {
         for (got, expected) in near.positions().iter().zip([Vec3::ZERO, Vec3::X, Vec3::ONE]) {
             assert!((*got - expected).length() < 1e-8, "{got}");
         }
+        // An f32 is every half there: about this point, its roundings show.
+        let shift = DVec3::new(0.1, 0.2, 0.3);
+        let origin = corner + shift;
+        let near = Model::parse_placed(text.as_bytes(), NONE, &Placement { origin, ..Placement::default() })
+            .unwrap();
+        assert!((near.positions()[0].as_dvec3() + shift).length() < 1e-7, "{}", near.positions()[0]);
         let far = Model::parse(text.as_bytes(), NONE).unwrap();
         assert_eq!(far.positions()[0], corner.as_vec3());
         assert_eq!(far.reach(), 4_649_778.0);

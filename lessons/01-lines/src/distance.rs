@@ -26,7 +26,7 @@ pub fn distance(a: IVec2, b: IVec2, window: Bounds, mut plot: impl FnMut(i32, i3
         let (whole, part) = ((height >> 64) as i64, (height >> 48) as u16);
         for risen in -1..=2 {
             let across = (risen * 65536 - i64::from(part)).abs();
-            let share = 65536 - (across * cosine >> 16);
+            let share = 65536 - ((across * cosine) >> 16);
             let coverage = (share * 255 + 32768) >> 16;
             if coverage > 0
                 && let Some((x, y)) = line.neighbour(step, whole + risen)

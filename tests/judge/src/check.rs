@@ -2,7 +2,7 @@
 
 use tasks::{Answer, SEED};
 
-use super::{Judge, Sheet, Verdict};
+use super::{AnswerKey, Judge, Verdict};
 
 impl<F> Judge<F> {
     /// What the checks say of these functions. Answers cross as text, as they do between processes.
@@ -12,13 +12,13 @@ impl<F> Judge<F> {
     #[must_use]
     pub fn verdicts(&self, functions: &F, seed: u64) -> Vec<Verdict> {
         let cross = |answer: Answer| answer.to_string().parse().expect("it was just written");
-        let (sheets, tasks) = (self.key(seed), self.mission.tasks(seed));
-        let judge = |(sheet, tasks): (&Sheet, Vec<tasks::Task<F>>)| {
+        let (keys, tasks) = (self.key(seed), self.mission.tasks(seed));
+        let judge = |(key, tasks): (&AnswerKey, Vec<tasks::Task<F>>)| {
             let answers: Vec<Answer> =
                 tasks.iter().map(|task| cross(Answer::Raw((task.work)(functions)))).collect();
-            sheet.judge(&answers)
+            key.judge(&answers)
         };
-        sheets.iter().zip(tasks).map(judge).collect()
+        keys.iter().zip(tasks).map(judge).collect()
     }
 
     /// Checks that a fault costs the points of a check, and that its cause is said to be one with these words.

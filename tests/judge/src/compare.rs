@@ -6,7 +6,7 @@ use checks::picture::{self, Fault};
 use common::{Color, IVec2};
 use tasks::{Answer, Precision, Raw};
 
-use super::{Cause, Question, Sheet};
+use super::{AnswerKey, Cause, Question};
 
 impl Question {
     /// Whether a fault, done to the expected result, gives this one.
@@ -155,7 +155,7 @@ impl Verdict {
     }
 }
 
-impl Sheet {
+impl AnswerKey {
     /// Judges the answers to these questions. One that is not there counts as a crash.
     #[must_use]
     pub fn judge(&self, answers: &[Answer]) -> Verdict {

@@ -47,7 +47,7 @@ pub struct Question {
 }
 
 /// The questions of one check.
-pub struct Sheet {
+pub struct AnswerKey {
     /// What the check is called.
     pub name: &'static str,
     /// What it asks, in one line.
@@ -76,11 +76,11 @@ impl<F> Judge<F> {
     /// # Panics
     /// Where the rows of causes are not those of the checks.
     #[must_use]
-    pub fn key(&self, seed: u64) -> Vec<Sheet> {
+    pub fn key(&self, seed: u64) -> Vec<AnswerKey> {
         let names = self.mission.checks.iter().map(|check| check.name);
         assert!(names.eq(self.causes.iter().map(|row| row.0)), "a row of causes for each check, in order");
         let rows = self.mission.checks.iter().zip(self.mission.tasks(seed)).zip(self.causes);
-        rows.map(|((check, tasks), (_, causes))| Sheet {
+        rows.map(|((check, tasks), (_, causes))| AnswerKey {
             name: check.name,
             asks: check.asks,
             points: check.points,

@@ -11,24 +11,24 @@ use common::{Color, Format, IVec2, Image, preview};
 use tasks::{Answer, COURSE, Raw, SEED};
 
 use super::ask::ask;
-use super::{Finding, Judge, Question, Sheet, Verdict};
+use super::{AnswerKey, Finding, Judge, Question, Verdict};
 
-/// Judges answers to the questions of all sheets in a row.
-pub(crate) fn judge(sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
+/// Judges answers to the questions of all keys in a row.
+pub(crate) fn judge(keys: &[AnswerKey], answers: &[Answer]) -> Vec<Verdict> {
     let mut rest = answers;
-    let verdict = |sheet: &Sheet| {
-        let (own, others) = rest.split_at(sheet.questions.len().min(rest.len()));
+    let verdict = |key: &AnswerKey| {
+        let (own, others) = rest.split_at(key.questions.len().min(rest.len()));
         rest = others;
-        sheet.judge(own)
+        key.judge(own)
     };
-    sheets.iter().map(verdict).collect()
+    keys.iter().map(verdict).collect()
 }
 
 /// What a student's program answers.
-fn answers(program: &Path, sheets: &[Sheet]) -> anyhow::Result<Vec<Answer>> {
+fn answers(program: &Path, keys: &[AnswerKey]) -> anyhow::Result<Vec<Answer>> {
     let folder = std::env::temp_dir().join(format!("pixel-by-pixel-{}", std::process::id()));
     std::fs::create_dir(&folder).context("cannot make a folder for the answers")?;
-    let questions: Vec<usize> = sheets.iter().map(|sheet| sheet.questions.len()).collect();
+    let questions: Vec<usize> = keys.iter().map(|key| key.questions.len()).collect();
     let answers = ask(&questions, &folder, |file, from| {
         let mut child = Command::new(program);
         child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]);
@@ -42,9 +42,9 @@ impl<F> Judge<F> {
     /// Says what is right and what is not, and shows it.
     pub(crate) fn show(&self, program: &Path, in_terminal: bool) -> anyhow::Result<ExitCode> {
         let lesson = self.mission.lesson;
-        let sheets = self.key(SEED);
-        let answers = answers(program, &sheets)?;
-        let verdicts = judge(&sheets, &answers);
+        let keys = self.key(SEED);
+        let answers = answers(program, &keys)?;
+        let verdicts = judge(&keys, &answers);
         let unwritten = |answer: &Answer| match answer {
             Answer::Unwritten(said) => Some(said.clone()),
             _ => None,
@@ -56,7 +56,7 @@ impl<F> Judge<F> {
             return Ok(ExitCode::FAILURE);
         }
 
-        if let Some((title, sheet)) = comparison(&sheets, &answers, &verdicts) {
+        if let Some((title, sheet)) = comparison(&keys, &answers, &verdicts) {
             std::fs::create_dir_all("out").context("cannot create the folder out/")?;
             let path = PathBuf::from("out").join(format!("my-{lesson}.png"));
             sheet.write(&path)?;
@@ -65,7 +65,7 @@ impl<F> Judge<F> {
             }
             print(&format!("{}: expected | got | difference, {title}\n", path.display()))?;
         }
-        print(&report(lesson, &sheets, &verdicts)?)?;
+        print(&report(lesson, &keys, &verdicts)?)?;
         let all = verdicts.iter().all(|verdict| verdict.wrong.is_empty());
         Ok(if all { ExitCode::SUCCESS } else { ExitCode::FAILURE })
     }
@@ -84,15 +84,15 @@ impl<F> Judge<F> {
             let list: String = names.map(|name| format!("{name}: test\n")).collect();
             return print(&list).map(|()| ExitCode::SUCCESS);
         }
-        let mut sheets = self.key(SEED);
-        let answers = answers(program, &sheets)?;
-        let mut verdicts = judge(&sheets, &answers);
-        sheets.retain(|sheet| chosen(sheet.name));
+        let mut keys = self.key(SEED);
+        let answers = answers(program, &keys)?;
+        let mut verdicts = judge(&keys, &answers);
+        keys.retain(|key| chosen(key.name));
         verdicts.retain(|verdict| chosen(verdict.name));
         let mut text = format!("\nrunning {} tests\n", verdicts.len());
-        for (verdict, sheet) in verdicts.iter().zip(&sheets) {
+        for (verdict, key) in verdicts.iter().zip(&keys) {
             let said = verdict.wrong.first().map(|wrong| {
-                format!("FAILED, {}: {}", sheet.questions[wrong.question].input, said(&wrong.findings))
+                format!("FAILED, {}: {}", key.questions[wrong.question].input, said(&wrong.findings))
             });
             let cause = verdict.cause.map(|cause| format!("; likely cause: {cause}")).unwrap_or_default();
             text += &format!("test {} ... {}{cause}\n", verdict.name, said.as_deref().unwrap_or("ok"));
@@ -107,20 +107,20 @@ impl<F> Judge<F> {
 }
 
 /// The verdicts as text.
-fn report(lesson: &str, sheets: &[Sheet], verdicts: &[Verdict]) -> anyhow::Result<String> {
+fn report(lesson: &str, keys: &[AnswerKey], verdicts: &[Verdict]) -> anyhow::Result<String> {
     let width = verdicts.iter().map(|verdict| verdict.name.len()).max().unwrap_or(0);
     let mut lines = Vec::new();
-    for (verdict, sheet) in verdicts.iter().zip(sheets) {
+    for (verdict, key) in verdicts.iter().zip(keys) {
         let Verdict { name, asks, points, wrong, cause } = verdict;
         let word = if wrong.is_empty() { "right" } else { "wrong" };
         lines.push(format!("{word}  {name:width$}  {}/{points}  {asks}", verdict.earned()));
         let Some(first) = wrong.first() else { continue };
-        let count = match (wrong.len(), sheet.questions.len()) {
+        let count = match (wrong.len(), key.questions.len()) {
             (_, 1) => String::new(),
             (wrong, of) if wrong == of => format!("all {of} inputs; the first, "),
             (wrong, of) => format!("{wrong} of {of} inputs; the first, "),
         };
-        let input = &sheet.questions[first.question].input;
+        let input = &key.questions[first.question].input;
         lines.push(format!("       {count}{input}: {}", said(&first.findings)));
         if let Some(cause) = cause {
             lines.push(format!("       likely cause: {cause}"));
@@ -148,11 +148,11 @@ fn said(findings: &[Finding]) -> String {
 }
 
 /// The picture to look at, and what it shows: the first one that is wrong, or else that of the lesson.
-fn comparison(sheets: &[Sheet], answers: &[Answer], verdicts: &[Verdict]) -> Option<(String, Image)> {
-    let asked = sheets.iter().zip(verdicts).flat_map(|(sheet, verdict)| {
-        (sheet.questions.iter().enumerate()).map(move |(n, question)| {
+fn comparison(keys: &[AnswerKey], answers: &[Answer], verdicts: &[Verdict]) -> Option<(String, Image)> {
+    let asked = keys.iter().zip(verdicts).flat_map(|(key, verdict)| {
+        (key.questions.iter().enumerate()).map(move |(n, question)| {
             let wrong = verdict.wrong.iter().any(|wrong| wrong.question == n);
-            (sheet.name, question, wrong)
+            (key.name, question, wrong)
         })
     });
     let pictures: Vec<_> = asked

@@ -8,9 +8,9 @@
 //!
 //! Each lesson's mission is a package in `tests/lessons/NN-name/tasks`. It calls nothing that the mission asks for.
 
-mod program;
 mod raw;
 pub mod scenery;
+mod student;
 
 use std::path::Path;
 

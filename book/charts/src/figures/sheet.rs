@@ -77,7 +77,7 @@ fn dark() -> String {
 }
 
 /// A drawing, in which a rectangle of the plane can be seen.
-pub(crate) struct Sheet {
+pub struct Sheet {
     document: Document,
     low: Vec2,
     scale: f32,
@@ -86,7 +86,8 @@ pub(crate) struct Sheet {
 
 impl Sheet {
     /// An empty sheet that shows what lies between two corners.
-    pub(crate) fn new(low: impl Into<Vec2>, high: impl Into<Vec2>) -> Self {
+    #[must_use]
+    pub fn new(low: impl Into<Vec2>, high: impl Into<Vec2>) -> Self {
         let (low, high) = (low.into(), high.into());
         let size = high - low;
         let scale = ((WIDTH - 2.0 * MARGIN) / size.x).min((HEIGHT - 2.0 * MARGIN) / size.y);
@@ -307,7 +308,10 @@ impl Sheet {
     }
 
     /// The drawing, finished.
-    pub(crate) fn finish(self) -> anyhow::Result<Drawing> {
+    ///
+    /// # Errors
+    /// Never; a figure may fail, and a sheet is most often its end.
+    pub fn finish(self) -> anyhow::Result<Drawing> {
         Ok(self.into())
     }
 }
