@@ -65,7 +65,7 @@ pub(crate) type Entries = BTreeMap<String, Vec<(u8, String)>>;
 pub(crate) fn index(entries: &Entries) -> String {
     let letter = |name: &str| name.trim_matches('`').chars().next().unwrap_or('#').to_ascii_uppercase();
     let mut names: Vec<&String> = entries.keys().collect();
-    names.sort_by_key(|name| (name.trim_matches('`').to_lowercase(), name.to_string()));
+    names.sort_by_key(|name| (name.trim_matches('`').to_lowercase(), (*name).clone()));
     let mut page = String::new();
     let mut current = None;
     for name in names {

@@ -4,6 +4,7 @@
 //! This runs over pages that are made ready, so that it sees what was inserted as well. Headings, code blocks,
 //! formulas, the answers of a quiz and what is a link already are left as they are.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
@@ -74,14 +75,12 @@ impl Targets<'_> {
                     continue;
                 }
                 at = range.end;
-                if !terms.contains_key(&index) {
-                    let term = &self.terms[index];
-                    let id = format!("use-{number}-{}", term.id);
-                    edits.push((
-                        range,
-                        format!("<a class=\"term\" id=\"{id}\" href=\"glossary.md#{}\">", term.id),
-                    ));
-                    terms.insert(index, id);
+                if let Entry::Vacant(first) = terms.entry(index) {
+                    let term = &self.terms[index].id;
+                    let id = format!("use-{number}-{term}");
+                    edits
+                        .push((range, format!("<a class=\"term\" id=\"{id}\" href=\"glossary.md#{term}\">")));
+                    first.insert(id);
                 }
             }
             edits.extend(self.code(page, &words));
@@ -165,7 +164,7 @@ impl Words {
                     closed += 1;
                 }
                 Event::End(TagEnd::Heading(_) | TagEnd::Link | TagEnd::Image | TagEnd::CodeBlock) => {
-                    closed -= 1
+                    closed -= 1;
                 }
                 Event::End(TagEnd::HtmlBlock) => lead = false,
                 Event::Html(text) => {
