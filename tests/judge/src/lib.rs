@@ -1,26 +1,30 @@
 //! Judgement of missions: what is right, what is wrong, and why.
 //!
-//! A lesson's judge is a program, `tests/lessons/NN-name/judge.rs`: the lesson's own functions as [`Judge`], and the
-//! faults that it recognises in the results. It judges in two ways:
+//! A lesson's judge is a program, `tests/lessons/NN-name/judge.rs`: the lesson's own functions as [`Judge`], and, in
+//! `faults.rs`, known wrong versions of them. It judges in two ways:
 //!
 //! - for a student it starts the program that was built of what the student wrote, asks it for its answers, and
 //!   says what it finds, with a picture;
 //! - for the grader, which runs such programs behind walls, it says what is asked, and judges answers in a file.
 
 pub mod ask;
-pub mod causes;
 mod check;
 mod compare;
+mod enlarge;
+mod fault;
+mod input;
 mod mark;
+mod report;
 mod show;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 use common::terminal::eprintln;
-use tasks::{Mission, Precision, Raw};
+use tasks::{Answer, Mission, Precision, Raw, Task};
 
 pub use compare::{Finding, Verdict, Wrong};
+pub use fault::Fault;
 pub use mark::picture_files;
 
 /// A mission, and what is right.
@@ -29,12 +33,9 @@ pub struct Judge<F: 'static> {
     pub mission: Mission<F>,
     /// The functions as the lesson has them.
     pub reference: F,
-    /// For each check, in order, the faults that it recognises.
-    pub causes: &'static [(&'static str, Causes)],
+    /// Wrong versions that it recognises by their answers. Where two give the same ones, the first is named.
+    pub faults: &'static [Fault<F>],
 }
-
-/// Makes a list of faults.
-pub type Causes = fn() -> Vec<Cause>;
 
 /// A task with its solution, apart from the functions that find it.
 pub struct Question {
@@ -54,47 +55,50 @@ pub struct Sheet {
     pub asks: &'static str,
     /// What it is worth.
     pub points: u32,
+    /// The number of its first input, of all that the mission has, from 1.
+    pub first: usize,
     /// The tasks, in the order of their answers.
     pub questions: Vec<Question>,
-    /// Faults that it would recognise.
-    pub causes: Vec<Cause>,
-}
-
-/// A fault that students make.
-#[derive(Clone, Copy)]
-pub struct Cause {
-    /// What the student did, and the cure.
-    pub name: &'static str,
-    /// Whether this fault, and nothing else, is what is wrong with a result. It is tried, not guessed: mostly
-    /// by doing the same to the expected result, see [`Question::becomes`].
-    pub explains: fn(&Question, &Raw) -> bool,
 }
 
 impl<F> Judge<F> {
     /// The questions of each check, with what is expected.
-    ///
-    /// # Panics
-    /// Where the rows of causes are not those of the checks.
     #[must_use]
     pub fn key(&self, seed: u64) -> Vec<Sheet> {
-        let names = self.mission.checks.iter().map(|check| check.name);
-        assert!(names.eq(self.causes.iter().map(|row| row.0)), "a row of causes for each check, in order");
-        let rows = self.mission.checks.iter().zip(self.mission.tasks(seed)).zip(self.causes);
-        rows.map(|((check, tasks), (_, causes))| Sheet {
-            name: check.name,
-            asks: check.asks,
-            points: check.points,
-            questions: tasks
-                .into_iter()
-                .map(|task| Question {
-                    expected: (task.work)(&self.reference),
-                    input: task.input,
-                    precision: check.precision,
-                })
-                .collect(),
-            causes: causes(),
+        let mut first = 1;
+        let rows = self.mission.checks.iter().zip(self.mission.tasks(seed));
+        rows.map(|(check, tasks)| {
+            let question = |task: Task<F>| Question {
+                expected: (task.work)(&self.reference),
+                input: task.input,
+                precision: check.precision,
+            };
+            let questions: Vec<Question> = tasks.into_iter().map(question).collect();
+            let sheet = Sheet { name: check.name, asks: check.asks, points: check.points, first, questions };
+            first += sheet.questions.len();
+            sheet
         })
         .collect()
+    }
+
+    /// Judges the answers to the questions of sheets, check by check.
+    pub(crate) fn judge(&self, seed: u64, sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
+        let mut rest = answers;
+        let mut tasks = self.mission.checks.iter().zip(self.mission.tasks(seed));
+        let mut named = None;
+        let verdict = |sheet: &Sheet| {
+            let (own, others) = rest.split_at(sheet.questions.len().min(rest.len()));
+            rest = others;
+            let mut verdict = sheet.judge(own);
+            let tasks = tasks.find(|(check, _)| check.name == sheet.name);
+            if let Some((_, tasks)) = tasks.filter(|_| !verdict.wrong.is_empty()) {
+                let fault = self.fault(named, sheet, &tasks, own);
+                named = named.or(fault);
+                verdict.cause = fault.map(|fault| fault.told(self.mission.lesson));
+            }
+            verdict
+        };
+        sheets.iter().map(verdict).collect()
     }
 
     /// A judge's program.
@@ -105,8 +109,9 @@ impl<F> Judge<F> {
         let arguments: Vec<String> = std::env::args().skip(1).collect();
         let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let result = match words.as_slice() {
-            ["show", program] => self.show(Path::new(program), true),
-            ["tell", program] => self.show(Path::new(program), false),
+            ["show", program, check @ ..] => self.show(Path::new(program), check.first().copied(), true),
+            ["tell", program, check @ ..] => self.show(Path::new(program), check.first().copied(), false),
+            ["input", _, number] => self.print_input(number),
             ["test", program, words @ ..] => self.test(Path::new(program), words),
             ["checks", seed] => self.print_checks(seed),
             ["mark", seed, answers, pictures] => self.mark(seed, Path::new(answers), Path::new(pictures)),
