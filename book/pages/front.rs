@@ -36,7 +36,7 @@ fn welcome() -> anyhow::Result<Drawing> {
     draw_model(&model, exact, &mut random, |n, corners| brightness(corners).map(|_| Color::random(n as u64)));
     draw_model(&model, exact, &mut lit, |_, corners| brightness(corners).map(Color::gray));
     let (texture, normals) = (texture()?, corner_normals(&model));
-    let scene = Scene { model: &model, normals, texture: &texture, light: Vec3::Z };
+    let scene = Scene { model: &model, normals: &normals, texture: &texture, light: Vec3::Z };
     let smooth = smooth(600, &scene, |point| Some(to_screen(point, Vec2::splat(600.0))));
     beside([&wires, &random, &lit, &smooth])
 }

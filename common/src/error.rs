@@ -74,7 +74,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
         /// What the decoder said.
-        source: ::image::ImageError,
+        source: PictureError,
     },
     /// The picture cannot be stored, as it has no pixels.
     #[error("cannot write {}: the picture cannot be encoded", shown(path))]
@@ -82,7 +82,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
         /// What the encoder said.
-        source: ::image::ImageError,
+        source: PictureError,
     },
     /// The file holds no model.
     #[error("{}: {reason}", shown(path))]
@@ -92,4 +92,27 @@ pub enum Error {
         /// What is wrong with it.
         reason: String,
     },
+}
+
+/// What is wrong with the bytes of a picture's file, or with the picture that is to become some.
+#[derive(Debug, thiserror::Error)]
+pub enum PictureError {
+    /// A side or the memory is beyond the limits of [`file`](crate::file).
+    #[error("it is larger than can be read")]
+    TooLarge,
+    /// The bytes end before the picture does.
+    #[error("unexpected end of file")]
+    Truncated,
+    /// The bytes do not make sense.
+    #[error("{0}")]
+    Malformed(&'static str),
+    /// The picture has no pixels.
+    #[error("it has no pixels")]
+    Empty,
+    /// No PNG file.
+    #[error(transparent)]
+    Decoding(#[from] png::DecodingError),
+    /// Not to be stored as a PNG file.
+    #[error(transparent)]
+    Encoding(#[from] png::EncodingError),
 }

@@ -5,7 +5,6 @@
 
 use std::ops::Range;
 
-use ::image::{DynamicImage, GrayImage, RgbImage, RgbaImage};
 use glam::{IVec2, Vec2};
 
 use crate::Color;
@@ -174,12 +173,15 @@ impl Image {
 
     /// Swaps left and right.
     pub fn flip_horizontally(&mut self) {
-        *self = Self::from_rows_down(&self.to_rows_down().fliph());
+        let row = usize::from(self.width) * self.format as usize;
+        let rows = self.bytes.chunks_exact(row.max(1));
+        let pixels: Vec<&[u8]> = rows.flat_map(|row| row.rchunks_exact(self.format as usize)).collect();
+        self.bytes = pixels.concat();
     }
 
     /// Swaps bottom and top.
     pub fn flip_vertically(&mut self) {
-        *self = Self::from_rows_down(&self.to_rows_down().flipv());
+        self.bytes = self.rows_down().collect::<Vec<_>>().concat();
     }
 
     /// The picture stretched to another size: a smaller one averages the pixels that its own cover, a larger
@@ -212,30 +214,16 @@ impl Image {
         scaled
     }
 
-    /// The picture as the `image` crate has it, with its first row at the top.
-    pub(crate) fn to_rows_down(&self) -> DynamicImage {
+    /// Its rows from the top, as files have them.
+    pub(crate) fn rows_down(&self) -> impl Iterator<Item = &[u8]> {
         let row = usize::from(self.width) * self.format as usize;
-        let rows: Vec<&[u8]> = self.bytes.chunks_exact(row.max(1)).rev().collect();
-        let bytes = rows.concat();
-        let (width, height) = (u32::from(self.width), u32::from(self.height));
-        match self.format {
-            Format::Gray => GrayImage::from_raw(width, height, bytes).map(DynamicImage::ImageLuma8),
-            Format::Rgb => RgbImage::from_raw(width, height, bytes).map(DynamicImage::ImageRgb8),
-            Format::Rgba => RgbaImage::from_raw(width, height, bytes).map(DynamicImage::ImageRgba8),
-        }
-        .expect("width, height and format made the buffer's length")
+        self.bytes.chunks_exact(row.max(1)).rev()
     }
 
-    /// The inverse of [`to_rows_down`](Self::to_rows_down). Other kinds of pixels become 8-bit grey, RGB or
-    /// RGBA. A side beyond 65535 is cut off; the readers in [`file`](crate::file) allow none that long.
-    pub(crate) fn from_rows_down(picture: &DynamicImage) -> Self {
-        let (format, bytes) = match (picture.color().has_alpha(), picture.color().has_color()) {
-            (true, _) => (Format::Rgba, picture.to_rgba8().into_raw()),
-            (false, true) => (Format::Rgb, picture.to_rgb8().into_raw()),
-            (false, false) => (Format::Gray, picture.to_luma8().into_raw()),
-        };
-        let mut image = Self::new(picture.width() as u16, picture.height() as u16, format);
-        let row = usize::from(image.width) * format as usize;
+    /// The picture with these rows, the first one on top.
+    pub(crate) fn from_rows_down(width: u16, height: u16, format: Format, bytes: &[u8]) -> Self {
+        let mut image = Self::new(width, height, format);
+        let row = usize::from(width) * format as usize;
         for (to, from) in image.bytes.chunks_exact_mut(row.max(1)).rev().zip(bytes.chunks_exact(row.max(1))) {
             to.copy_from_slice(from);
         }

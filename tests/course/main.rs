@@ -1,4 +1,7 @@
-//! The course as a whole: every lesson has what belongs to it; the missions as a student meets them.
+//! The course as a whole: every lesson has what belongs to it, and one more is soon added; the missions as a student
+//! meets them.
 
+mod copy;
 mod lessons;
 mod missions;
+mod one_more;

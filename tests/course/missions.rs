@@ -9,64 +9,34 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
-use tasks::name;
+use tasks::{COURSE, name};
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+use crate::copy::Copy;
 
 /// The lessons, by number and name.
 static LESSONS: LazyLock<Vec<String>> =
-    LazyLock::new(|| tasks::lessons(Path::new(ROOT)).expect("the workspace can be read"));
-
-/// A copy of the workspace, in the folder of build products, so that the next run builds little.
-struct Copy {
-    root: PathBuf,
-}
+    LazyLock::new(|| tasks::lessons(Path::new(COURSE)).expect("the workspace can be read"));
 
 impl Copy {
-    fn new() -> Self {
-        let root = Path::new(ROOT).join("target/missions");
-        fs::create_dir_all(&root).expect("a folder can be made");
-        // What was copied before goes; what was built stays.
-        if let Ok(entries) = fs::read_dir(&root) {
-            for path in entries.map(|entry| entry.expect("the folder can be read").path()) {
-                let _ = if path.is_dir() && !path.ends_with("target") {
-                    fs::remove_dir_all(path)
-                } else {
-                    Ok(())
-                };
-            }
-        }
-        for entry in fs::read_dir(ROOT).expect("the workspace can be read") {
-            let from = entry.expect("the workspace can be read").path();
-            let name = from.file_name().expect("it has a name");
-            if ![".git", "target", "out"].iter().any(|left_out| name == *left_out) {
-                copy(&from, &root.join(name));
-            }
-        }
-        Self { root }
-    }
-
     fn mission(&self, lesson: &str, file: &str) -> PathBuf {
         self.root.join("lessons").join(lesson).join("mission").join(file)
     }
 
-    fn cargo(&self, command: &str, lessons: &[impl AsRef<str>], arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO"))
-            .arg(command)
-            .args(lessons.iter().map(|lesson| format!("--package=my-{}", name(lesson.as_ref()))))
-            .args(arguments)
-            .current_dir(&self.root)
-            .env("CARGO_TARGET_DIR", self.root.join("target"))
-            .env("CARGO_TERM_COLOR", "never")
-            .output()
-            .expect("cargo can be started")
+    /// `cargo` with students' programs.
+    fn missions(&self, command: &str, lessons: &[impl AsRef<str>], arguments: &[&str]) -> Output {
+        let packages: Vec<String> =
+            lessons.iter().map(|lesson| format!("--package=my-{}", name(lesson.as_ref()))).collect();
+        let packages = packages.iter().map(String::as_str);
+        self.cargo(
+            &[command].into_iter().chain(packages).chain(arguments.iter().copied()).collect::<Vec<_>>(),
+        )
     }
 
     /// Builds students' programs, and the judges that they call.
     fn build(&self, lessons: &[impl AsRef<str>]) -> Output {
         let judges: Vec<String> =
             lessons.iter().map(|lesson| format!("--package={}-tests", name(lesson.as_ref()))).collect();
-        self.cargo("build", lessons, &judges.iter().map(String::as_str).collect::<Vec<_>>())
+        self.missions("build", lessons, &judges.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
     /// A student's program, run.
@@ -85,21 +55,9 @@ impl Copy {
     }
 }
 
-fn copy(from: &Path, to: &Path) {
-    if from.is_dir() {
-        fs::create_dir_all(to).expect("a folder can be made");
-        for entry in fs::read_dir(from).expect("the folder can be read") {
-            let path = entry.expect("the folder can be read").path();
-            copy(&path, &to.join(path.file_name().expect("it has a name")));
-        }
-    } else {
-        fs::copy(from, to).expect("a file can be copied");
-    }
-}
-
 /// All the code of a lesson's library.
 fn source(lesson: &str) -> String {
-    let folder = Path::new(ROOT).join("lessons").join(lesson).join("src");
+    let folder = Path::new(COURSE).join("lessons").join(lesson).join("src");
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
         .expect("a lesson has code")
         .map(|entry| entry.expect("the folder can be read").path())
@@ -133,7 +91,7 @@ fn starters_fail_kindly_and_solutions_pass() {
         assert!(kind, "{lesson}: {said}");
     }
     assert!(!copy.root.join("out").exists(), "nothing is drawn yet");
-    let tested = text(&copy.cargo("test", &LESSONS, &["--no-fail-fast"]).stdout);
+    let tested = text(&copy.missions("test", &LESSONS, &["--no-fail-fast"]).stdout);
     let verdicts: Vec<&str> = tested.lines().filter(|line| line.starts_with("test ")).collect();
     let failed = verdicts.iter().filter(|line| line.contains("FAILED") && line.contains("not written yet"));
     let results = verdicts.iter().filter(|line| line.starts_with("test result: FAILED. 0 passed"));
@@ -145,7 +103,7 @@ fn starters_fail_kindly_and_solutions_pass() {
 
     // Solved, each on the solutions of the lessons below.
     for lesson in LESSONS.iter() {
-        let solution = Path::new(ROOT).join("tests/lessons").join(lesson).join("solution.rs");
+        let solution = Path::new(COURSE).join("tests/lessons").join(lesson).join("solution.rs");
         let solution =
             fs::read_to_string(&solution).unwrap_or_else(|_| panic!("{} is not there", solution.display()));
         copy.write(lesson, "src/lib.rs", &solution);
@@ -190,7 +148,7 @@ fn starters_fail_kindly_and_solutions_pass() {
         LESSONS.iter().filter(|lesson| copy.read(lesson, "Cargo.toml").contains(&own)).collect()
     };
     let below = LESSONS.iter().max_by_key(|lesson| built_on(lesson).len()).expect("there are lessons");
-    let starter = Path::new(ROOT).join("lessons").join(below).join("mission/src/lib.rs");
+    let starter = Path::new(COURSE).join("lessons").join(below).join("mission/src/lib.rs");
     copy.write(below, "src/lib.rs", &fs::read_to_string(starter).expect("a lesson has a mission"));
     assert!(copy.build(&LESSONS).status.success());
     let failing: Vec<&String> = LESSONS.iter().filter(|lesson| !copy.run(lesson).status.success()).collect();
@@ -224,7 +182,7 @@ fn on_own_lessons(manifest: &str) -> String {
 #[ignore = "for the course's own CI: a student's are written"]
 fn no_starter_gives_the_solution_away() {
     for lesson in LESSONS.iter() {
-        let path = Path::new(ROOT).join("lessons").join(lesson).join("mission/src/lib.rs");
+        let path = Path::new(COURSE).join("lessons").join(lesson).join("mission/src/lib.rs");
         let starter = fs::read_to_string(path).expect("a lesson has a mission");
         let code = |text: &str| -> BTreeSet<String> {
             let lines = text.lines().filter(|line| line.starts_with("    ")).map(str::trim);
@@ -269,7 +227,7 @@ fn no_starter_gives_the_solution_away() {
 fn missions_are_members_but_not_default_members() {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
-        .current_dir(ROOT)
+        .current_dir(COURSE)
         .output()
         .expect("cargo can be started");
     let metadata = text(&output.stdout);
@@ -293,7 +251,7 @@ fn a_mission_is_built_without_what_it_asks_for() {
         let output = Command::new(env!("CARGO"))
             .args(["tree", "--offline", "--edges=normal", "--prefix=none", "--format={p}", "--package"])
             .arg(format!("my-{name}"))
-            .current_dir(ROOT)
+            .current_dir(COURSE)
             .output()
             .expect("cargo can be started");
         let tree = text(&output.stdout);
@@ -303,7 +261,7 @@ fn a_mission_is_built_without_what_it_asks_for() {
             .filter_map(|line| line.split(' ').next())
             .collect();
         let manifest =
-            fs::read_to_string(Path::new(ROOT).join("lessons").join(lesson).join("mission/Cargo.toml"));
+            fs::read_to_string(Path::new(COURSE).join("lessons").join(lesson).join("mission/Cargo.toml"));
         let given = manifest.expect("a mission is a package").contains(&format!("\n{name}.workspace = true"));
         let mut may: BTreeSet<String> = ["common".into(), "tasks".into(), format!("my-{name}")].into();
         may.insert(format!("{name}-tasks"));

@@ -66,8 +66,8 @@ pub fn check(lesson: &Lesson) {
     assert_eq!(names(folder.path()), [""; 0]);
 
     // Two methods and their difference in one picture, and the counts.
-    let [a, b] = [methods[0].name, methods[methods.len() - 1].name];
-    let pair = format!("{a},{b}");
+    let [a, b] = ends(lesson);
+    let pair = [a, b].join(",");
     let output = run(lesson.name, folder.path(), &["--compare", &pair, "--size", "60x60", "--out", "a.png"]);
     let said = String::from_utf8_lossy(&output.stdout);
     let begins = format!("a.png (1812x600)\n{b} against {a}: ");
@@ -126,12 +126,37 @@ pub fn check_behind_the_eye(lesson: &Lesson, flags: &[&str]) {
     assert!(read(folder.path(), "a.png").pixels().any(|pixel| pixel.2 != Color::BLACK));
 }
 
-/// Checks that a turntable writes as many pictures as asked for, and depths beside them, and that it turns.
+/// What holds for a program that looks at a point, from anywhere and all around: what it refuses, what is behind the
+/// eye, and the turntable.
 ///
 /// # Panics
-/// Where it does not.
+/// Where it does not hold.
 #[track_caller]
-pub fn check_turntable(lesson: &Lesson) {
+pub fn check_view(lesson: &Lesson) {
+    refuses(
+        lesson,
+        &[
+            (&["--eye", "1,2"], "--eye <x,y,z>"),
+            (&["--up", "0,inf,0"], "write 3 finite numbers"),
+            (
+                &["--eye", "1,2,3", "--center", "1,2,3", "--texture", CRATE],
+                "--eye and --center are one point: move one of them",
+            ),
+            (&["--turntable", "0"], "--turntable <N>"),
+            (&["--turntable", "1000"], "1..=999"),
+            (&["--turntable", "3", "--depth", "a.png"], "cannot be used with"),
+            (&["--turntable", "3", "--compare", &ends(lesson).join(",")], "cannot be used with"),
+        ],
+    );
+    check_behind_the_eye(lesson, &["--eye", "0,0,2"]);
+    check_turntable(lesson);
+    #[cfg(unix)]
+    check_turntable_reads_once(lesson);
+}
+
+/// Checks that a turntable writes as many pictures as asked for, and depths beside them, and that it turns.
+#[track_caller]
+fn check_turntable(lesson: &Lesson) {
     let folder = tempdir().expect("a temporary folder can be made");
     let output = run(lesson.name, folder.path(), &["--turntable", "3", "--size", "30x30", "--model", SPHERE]);
     assert_eq!(String::from_utf8_lossy(&output.stdout), "3 pictures\n");
@@ -143,12 +168,9 @@ pub fn check_turntable(lesson: &Lesson) {
 }
 
 /// Checks that a turntable reads its texture once: from a pipe, there is no second time.
-///
-/// # Panics
-/// Where it does not.
 #[cfg(unix)]
 #[track_caller]
-pub fn check_turntable_reads_once(lesson: &Lesson) {
+fn check_turntable_reads_once(lesson: &Lesson) {
     let folder = tempdir().expect("a temporary folder can be made");
     std::os::unix::fs::symlink("/dev/stdin", folder.path().join("pipe.png")).expect("a link can be made");
     let script = format!(
@@ -171,6 +193,12 @@ pub fn check_turntable_reads_once(lesson: &Lesson) {
 pub fn write_bare(folder: &Path) {
     let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
     std::fs::write(folder.join("bare.obj"), text).expect("the folder can be written");
+}
+
+/// The first and the last of a lesson's methods.
+fn ends(lesson: &Lesson) -> [&'static str; 2] {
+    let methods = (lesson.tables[0].rows)();
+    [methods[0].name, methods[methods.len() - 1].name]
 }
 
 fn read(folder: &Path, name: &str) -> Image {

@@ -54,7 +54,7 @@ pub(crate) fn light(random: &mut Rng) -> Vec3 {
 fn difference(method: &Method<Draw>, model: &Model, light: Vec3, side: u16) -> (f64, f64) {
     let mut white = Image::new(1, 1, Format::Rgb);
     white.set(0, 0, Color::WHITE);
-    let scene = Scene { model, normals: corner_normals(model), texture: &white, light };
+    let scene = Scene { model, normals: &corner_normals(model), texture: &white, light };
     let mut image = Image::new(side, side, Format::Rgb);
     let drawn = (method.run)(&scene, &mut image);
     let toward = light.as_dvec3().normalize();
@@ -90,7 +90,8 @@ fn work(size: usize, _: Effort) -> Vec<Work> {
     let model = sphere(size);
     let work = |method: &'static Method<Draw>| {
         let texture: &'static Image = Box::leak(Box::new(texture()));
-        let scene = Scene { model, normals: corner_normals(model), texture, light: Vec3::Z };
+        let normals = corner_normals(model).leak();
+        let scene = Scene { model, normals, texture, light: Vec3::Z };
         let empty = Image::new(800, 800, Format::Rgb);
         let depths = (method.run)(&scene, &mut empty.clone()).depths;
         let seen = empty.pixels().filter(|&(x, y, _)| depths.get(x, y) > f32::NEG_INFINITY).count();

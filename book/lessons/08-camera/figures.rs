@@ -101,7 +101,7 @@ fn view(view: View, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let (model, texture, light) = (model()?, texture()?, light.normalize());
     let view = view(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
     let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * view;
-    let scene = Scene { model: &model, normals: corner_normals(&model), texture: &texture, light };
+    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light };
     Ok(smooth(500, &scene, |point| place(&all, point + moved)))
 }
 

@@ -97,7 +97,7 @@ fn earlier(name: &str, uniforms: &Uniforms, side: u16) -> Image {
             let gouraud = Method::find(gouraud::METHODS, "gouraud").expect("lesson 6 has it");
             let scene = gouraud::Scene {
                 model: uniforms.model,
-                normals: uniforms.normals.to_vec(),
+                normals: uniforms.normals,
                 texture,
                 light: uniforms.light,
             };

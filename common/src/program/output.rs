@@ -71,7 +71,7 @@ impl Output {
         let mut progress = Progress::new(count);
         for n in 0..count {
             prepare(program, n);
-            picture.buffer_mut().fill(0);
+            picture.clear();
             draw(program, method, &mut picture)?;
             for path in self.paths(&self.name)? {
                 picture.write(&numbered(&path, n))?;

@@ -12,6 +12,7 @@
 //! brightness is clamped at 0 **after** interpolation, so that the line between light and dark does not follow
 //! the triangles' sides. Normals and light are in the same space.
 
+pub mod flags;
 pub mod normals;
 
 use common::{Image, Lesson, Method, Model, Table, Vec2, Vec3};
@@ -35,7 +36,7 @@ pub struct Scene<'a> {
     /// Positions and texture coordinates.
     pub model: &'a Model,
     /// The unit normals at the corners of each triangle.
-    pub normals: Vec<[Vec3; 3]>,
+    pub normals: &'a [[Vec3; 3]],
     /// The texture.
     pub texture: &'a Image,
     /// Unit vector from the surface to the light.

@@ -3,11 +3,10 @@
 use std::f32::consts::TAU;
 use std::process::ExitCode;
 
-use common::program::flags::{DepthFlag, LightFlag};
-use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Program, run};
-use common::{Attributes, Image, Lesson, Mat4, Method, Model, Vec3};
-use gouraud::{Scene, corner_normals, gouraud};
+use common::{DVec3, Image, Lesson, Mat4, Method, Vec3};
+use gouraud::flags::{LoadedScene, SceneFlags};
+use gouraud::{Scene, gouraud};
 use transforms::{Compose, normal_matrix, place, projection, viewport};
 
 /// The head is turned this often, by this part of a full turn each time.
@@ -16,11 +15,7 @@ const TURNS: u32 = 12;
 #[derive(clap::Args)]
 struct Flags {
     #[command(flatten)]
-    model: TexturedModelFlags,
-    #[command(flatten)]
-    light: LightFlag,
-    #[command(flatten)]
-    depth: DepthFlag,
+    scene: SceneFlags,
 
     /// Distance of the eye from the origin, along z; inf is the parallel projection
     #[arg(long, value_name = "D", default_value = "2", value_parser = distance, allow_hyphen_values = true)]
@@ -32,10 +27,8 @@ fn distance(text: &str) -> Result<f32, String> {
 }
 
 struct Transforms {
-    model: Model,
-    normals: Vec<[Vec3; 3]>,
-    texture: Image,
-    flags: Flags,
+    loaded: LoadedScene,
+    distance: f32,
 }
 
 impl Program for Transforms {
@@ -47,25 +40,19 @@ impl Program for Transforms {
     const DEFAULT: &str = "f32";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
-        let (model, texture) = flags.model.read(Attributes { normals: true, uvs: true })?;
-        Ok(Self { normals: corner_normals(&model), model, texture, flags })
+        Ok(Self { loaded: LoadedScene::read(flags.scene, DVec3::ZERO)?, distance: flags.distance })
     }
 
     fn draw(&mut self, compose: &Compose, picture: &mut Image) -> anyhow::Result<Extras> {
         let size = picture.size();
         let turn = Mat4::from_mat3(compose(Vec3::Y, TAU / TURNS as f32, TURNS));
-        let all = viewport(size.x, size.y, 0.5) * projection(self.flags.distance) * turn;
+        let all = viewport(size.x, size.y, 0.5) * projection(self.distance) * turn;
         let turned = normal_matrix(&turn).unwrap_or_default();
+        let normals: Vec<_> = self.loaded.normals.iter().map(|corners| corners.map(|n| turned * n)).collect();
 
-        let scene = Scene {
-            model: &self.model,
-            normals: self.normals.iter().map(|corners| corners.map(|n| turned * n)).collect(),
-            texture: &self.texture,
-            light: self.flags.light.direction,
-        };
+        let scene = Scene { normals: &normals, ..self.loaded.scene() };
         let drawn = gouraud(&scene, picture, |point| place(&all, point));
-        let depth = self.flags.depth.picture(|| drawn.depths.picture());
-        Ok(Extras { depth, left_out: drawn.left_out })
+        Ok(self.loaded.extras(&drawn))
     }
 }
 

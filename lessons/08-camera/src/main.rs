@@ -4,21 +4,16 @@ use std::process::ExitCode;
 
 use camera::View;
 use camera::flags::{TurntableFlag, ViewFlags};
-use common::program::flags::{DepthFlag, LightFlag};
-use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Output, Program, run};
-use common::{Attributes, Image, Lesson, Method, Model, Vec3};
-use gouraud::{Scene, corner_normals, gouraud};
+use common::{Image, Lesson, Method};
+use gouraud::flags::{LoadedScene, SceneFlags};
+use gouraud::gouraud;
 use transforms::{place, projection, viewport};
 
 #[derive(clap::Args)]
 struct Flags {
     #[command(flatten)]
-    model: TexturedModelFlags,
-    #[command(flatten)]
-    light: LightFlag,
-    #[command(flatten)]
-    depth: DepthFlag,
+    scene: SceneFlags,
     #[command(flatten)]
     view: ViewFlags,
     #[command(flatten)]
@@ -26,10 +21,9 @@ struct Flags {
 }
 
 struct Camera {
-    model: Model,
-    normals: Vec<[Vec3; 3]>,
-    texture: Image,
-    flags: Flags,
+    loaded: LoadedScene,
+    view: ViewFlags,
+    stops: Option<u16>,
 }
 
 impl Program for Camera {
@@ -41,31 +35,22 @@ impl Program for Camera {
     const DEFAULT: &str = "lookat";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
-        let (model, texture) =
-            flags.model.read_about(flags.view.origin(), Attributes { normals: true, uvs: true })?;
-        Ok(Self { normals: corner_normals(&model), model, texture, flags })
+        let loaded = LoadedScene::read(flags.scene, flags.view.origin())?;
+        Ok(Self { loaded, view: flags.view, stops: flags.turntable.stops })
     }
 
     fn draw(&mut self, view: &View, picture: &mut Image) -> anyhow::Result<Extras> {
         let size = picture.size();
-        let flags = &self.flags;
         let all =
-            viewport(size.x, size.y, 0.5) * projection(flags.view.distance()) * flags.view.matrix(*view)?;
-        let scene = Scene {
-            model: &self.model,
-            normals: self.normals.clone(),
-            texture: &self.texture,
-            light: flags.light.direction,
-        };
-        let drawn = gouraud(&scene, picture, |point| place(&all, point));
-        let depth = flags.depth.picture(|| drawn.depths.picture());
-        Ok(Extras { depth, left_out: drawn.left_out })
+            viewport(size.x, size.y, 0.5) * projection(self.view.distance()) * self.view.matrix(*view)?;
+        let drawn = gouraud(&self.loaded.scene(), picture, |point| place(&all, point));
+        Ok(self.loaded.extras(&drawn))
     }
 
     fn show(&mut self, view: &View, output: &Output) -> anyhow::Result<()> {
-        let Some(stops) = self.flags.turntable.stops else { return output.one(self, view) };
-        let from = self.flags.view;
-        output.series(self, view, stops, |camera, n| camera.flags.view = from.turned(n, stops))
+        let Some(stops) = self.stops else { return output.one(self, view) };
+        let from = self.view;
+        output.series(self, view, stops, |camera, n| camera.view = from.turned(n, stops))
     }
 }
 

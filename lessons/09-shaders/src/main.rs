@@ -4,11 +4,10 @@ use std::process::ExitCode;
 
 use camera::flags::{TurntableFlag, ViewFlags};
 use camera::lookat;
-use common::program::flags::{DepthFlag, LightFlag};
-use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Output, Program, UsageError, run};
 use common::{Attributes, Image, Lesson, Method, Model, Vec2, Vec3};
 use gouraud::corner_normals;
+use gouraud::flags::SceneFlags;
 use shaders::target::Target;
 use shaders::{Draw, Framebuffer, Look, SHADERS, Uniforms, fit};
 use transforms::projection;
@@ -19,11 +18,7 @@ const ZOOM: f32 = 0.4;
 #[derive(clap::Args)]
 struct Flags {
     #[command(flatten)]
-    model: TexturedModelFlags,
-    #[command(flatten)]
-    light: LightFlag,
-    #[command(flatten)]
-    depth: DepthFlag,
+    scene: SceneFlags,
     #[command(flatten)]
     view: ViewFlags,
 
@@ -67,10 +62,10 @@ impl Program for Shaders {
             uvs: shaders.iter().any(|shader| shader.needs.uvs),
         };
         let (model, texture) = if needs.uvs {
-            let (model, texture) = flags.model.read_about(flags.view.origin(), needs)?;
+            let (model, texture) = flags.scene.model.read_about(flags.view.origin(), needs)?;
             (model, Some(texture))
         } else {
-            (flags.model.read_untextured(flags.view.origin(), needs)?, None)
+            (flags.scene.model.read_untextured(flags.view.origin(), needs)?, None)
         };
         let normals = if needs.normals { corner_normals(&model) } else { Vec::new() };
         Ok(Self { shaders, model, normals, texture, flags })
@@ -84,13 +79,13 @@ impl Program for Shaders {
         let uniforms = Uniforms {
             normals: &self.normals,
             texture: self.texture.as_ref(),
-            light: flags.light.direction,
+            light: flags.scene.light.direction,
             to_clip: fit(ZOOM, Vec2::new(width as f32, height as f32)) * view,
             levels: flags.levels,
             ..Uniforms::new(&self.model)
         };
         let mut cell = Framebuffer::new(Image::new(width as u16, height as u16, picture.format()));
-        let mut depth = flags.depth.picture(|| picture.clone());
+        let mut depth = flags.scene.depth.picture(|| picture.clone());
         let mut left_out = 0;
         for (n, shader) in self.shaders.iter().enumerate() {
             cell.clear();

@@ -17,8 +17,7 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
         versions: &[
             Gouraud { intensities: |normals, light| gouraud::intensities(normals, -light), ..RIGHT },
             with_draw(|scene, image, place| {
-                let normals = scene.normals.clone();
-                gouraud::gouraud(&Scene { normals, light: -scene.light, ..*scene }, image, place)
+                gouraud::gouraud(&Scene { light: -scene.light, ..*scene }, image, place)
             }),
         ],
     },
@@ -78,8 +77,7 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
         versions: &[with_draw(|scene, image, place| {
             let mut white = Image::new(1, 1, common::Format::Rgb);
             white.set(0, 0, Color::WHITE);
-            let normals = scene.normals.clone();
-            gouraud::gouraud(&Scene { normals, texture: &white, ..*scene }, image, place)
+            gouraud::gouraud(&Scene { texture: &white, ..*scene }, image, place)
         })],
     },
     Fault {
@@ -210,7 +208,7 @@ fn triangle(scene: &Scene, image: &mut Image, place: Place, n: usize) -> usize {
 /// Only triangles of which the intensities at the corners, and the flat one, say so.
 fn facing(scene: &Scene, image: &mut Image, place: Place, faces: fn(Vec3, f32) -> bool) -> Drawn {
     let mut n = 0;
-    let facing: Vec<bool> = (scene.model.faces().zip(&scene.normals))
+    let facing: Vec<bool> = (scene.model.faces().zip(scene.normals))
         .map(|(corners, &normals)| {
             let flat = triangles::flat_intensity(corners, scene.light);
             faces(gouraud::intensities(normals, scene.light), flat)
@@ -259,8 +257,7 @@ mod tests {
         );
         let behind = Gouraud {
             gouraud: |scene, image, place| {
-                let normals = scene.normals.clone();
-                gouraud::gouraud(&Scene { normals, light: -scene.light, ..*scene }, image, place)
+                gouraud::gouraud(&Scene { light: -scene.light, ..*scene }, image, place)
             },
             ..reference
         };

@@ -14,6 +14,5 @@ const BOTH: Attributes = Attributes { normals: true, uvs: true };
 fn draw(model: &Model, light: Vec3, name: &str, picture: &mut Image) {
     let mut white = Image::new(1, 1, Format::Gray);
     white.set(0, 0, Color::WHITE);
-    let normals = corner_normals(model);
-    method(METHODS, name)(&Scene { model, normals, texture: &white, light }, picture);
+    method(METHODS, name)(&Scene { model, normals: &corner_normals(model), texture: &white, light }, picture);
 }

@@ -208,8 +208,7 @@ mod tests {
         viewport(|w, h, zoom| transforms::viewport(w, h, zoom / 2.0), "the wrong size");
         viewport(
             |w, h, zoom| {
-                scale(Vec3::new(w * zoom, h * zoom, 1.0))
-                    * translate(Vec3::new(w / 2.0, h / 2.0, 0.0))
+                scale(Vec3::new(w * zoom, h * zoom, 1.0)) * translate(Vec3::new(w / 2.0, h / 2.0, 0.0))
             },
             "order of the product",
         );

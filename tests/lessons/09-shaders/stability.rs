@@ -53,7 +53,7 @@ fn the_shaders_draw_what_lessons_4_to_6_drew() {
         (method(textures::METHODS, "nearest").draw)(&model, &texture, Vec3::Z, &mut textured);
     let mut smooth = blank;
     let smooth_scene =
-        gouraud::Scene { model: &model, normals: corner_normals(&model), texture: &texture, light: Vec3::Z };
+        gouraud::Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light: Vec3::Z };
     let smooth_depths = method(gouraud::METHODS, "gouraud")(&smooth_scene, &mut smooth).depths;
     for (shader, picture, depths) in [
         ("flat", &flat, &flat_depths),

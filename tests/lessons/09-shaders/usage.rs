@@ -1,6 +1,6 @@
 use shaders::LESSON;
 use tempfile::tempdir;
-use verify::{CRATE, run, usage};
+use verify::{run, usage};
 
 #[test]
 fn what_holds_for_every_lesson() {
@@ -10,19 +10,8 @@ fn what_holds_for_every_lesson() {
 }
 
 #[test]
-fn what_reaches_behind_the_eye_is_left_out() {
-    usage::check_behind_the_eye(&LESSON, &["--eye", "0,0,2"]);
-}
-
-#[test]
-fn a_turntable_writes_as_many_pictures_as_asked_for() {
-    usage::check_turntable(&LESSON);
-}
-
-#[cfg(unix)]
-#[test]
-fn a_turntable_reads_its_texture_once() {
-    usage::check_turntable_reads_once(&LESSON);
+fn what_holds_for_a_view() {
+    usage::check_view(&LESSON);
 }
 
 #[test]
@@ -30,7 +19,6 @@ fn wrong_command_lines() {
     usage::refuses(
         &LESSON,
         &[
-            (&["--eye", "0,0,0", "--texture", CRATE], "--eye and --center are one point: move one of them"),
             (&["--light", "0,0,0"], "a direction needs three finite numbers, not all 0"),
             (&["--levels", "0"], "--levels <N>"),
             (&["--levels", "2.5"], "--levels <N>"),

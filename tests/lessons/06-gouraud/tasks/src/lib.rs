@@ -103,9 +103,9 @@ pub const MISSION: Mission<Gouraud> = Mission {
     ],
 };
 
-/// A model under a light, with the course's texture.
-fn scene(model: &Model, light: Vec3) -> Scene<'_> {
-    Scene { model, normals: corner_normals(model), texture: &TEXTURE, light }
+/// The course's model, texture and light.
+fn scene(normals: &[[Vec3; 3]]) -> Scene<'_> {
+    Scene { model: &MODEL, normals, texture: &TEXTURE, light: LIGHT }
 }
 
 /// The triangles of a model in a square picture.
@@ -120,7 +120,7 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
         "{}let mut texture = Image::new(1, 1, Format::Rgb);\ntexture.set(0, 0, Color::WHITE);\n\
          let mut got = Image::new(80, 80, Format::Rgb);\nlet size = got.size();\n\
          let normals = corner_normals(&model);\n\
-         let scene = Scene {{ model: &model, normals, texture: &texture, light: Vec3::Z }};\n\
+         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, light: Vec3::Z }};\n\
          gouraud(&scene, &mut got, |p| Some(zbuffer::to_screen(p, size)));",
         squares_code(four)
     );
@@ -131,7 +131,8 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
     Task::new(input, code, move |student: &Gouraud| {
         let mut image = canvas(80, 80);
         let size = image.size();
-        let scene = Scene { texture: &white, ..scene(&model, Vec3::Z) };
+        let normals = corner_normals(&model);
+        let scene = Scene { model: &model, normals: &normals, texture: &white, light: Vec3::Z };
         (student.gouraud)(&scene, &mut image, &|p| Some(zbuffer::to_screen(p, size)));
         Raw::Picture(image)
     })
@@ -144,8 +145,9 @@ fn whole(code: &str, result: fn(&Drawn, Image) -> Raw) -> Task<Gouraud> {
     Task::new("the model", format!("{before}let got = {code};"), move |student: &Gouraud| {
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
-        let drawn =
-            (student.gouraud)(&scene(&MODEL, LIGHT), &mut image, &|p| Some(zbuffer::to_screen(p, size)));
+        let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL)), &mut image, &|p| {
+            Some(zbuffer::to_screen(p, size))
+        });
         result(&drawn, image)
     })
     .of(|_| shapes(&MODEL, SIDE))
@@ -160,7 +162,7 @@ fn cut(rng: &mut Rng, code: &str, result: fn(Drawn, Image) -> Raw) -> Task<Goura
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
         let place = |p: Vec3| (p.x < right).then(|| zbuffer::to_screen(p, size));
-        let drawn = (student.gouraud)(&scene(&MODEL, LIGHT), &mut image, &place);
+        let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL)), &mut image, &place);
         result(drawn, image)
     })
     .of(|_| shapes(&MODEL, SIDE))
@@ -170,7 +172,7 @@ fn cut(rng: &mut Rng, code: &str, result: fn(Drawn, Image) -> Raw) -> Task<Goura
 fn whole_code(place: &str) -> String {
     format!(
         "{MODEL_CODE}{TEXTURE_CODE}let normals = corner_normals(&model);\n\
-         let scene = Scene {{ model: &model, normals, texture: &texture, light: {} }};\n\
+         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, light: {} }};\n\
          let mut image = Image::new({SIDE}, {SIDE}, Format::Rgb);\nlet size = image.size();\n\
          let drawn = gouraud(&scene, &mut image, {place});\n",
         LIGHT.code()

@@ -104,7 +104,7 @@ fn picture() -> Task<Camera> {
          let all = transforms::viewport(size.x, size.y, 0.3)\n    \
          * transforms::projection(eye.distance(center))\n    * view;\n\
          let normals = gouraud::corner_normals(&model);\n\
-         let scene = gouraud::Scene {{ model: &model, normals, texture: &texture, light: {} }};\n\
+         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, light: {} }};\n\
          gouraud::gouraud(&scene, &mut got, |p| transforms::place(&all, p));",
         VIEW[0].code(),
         VIEW[1].code(),
@@ -120,7 +120,8 @@ fn picture() -> Task<Camera> {
     Task::new("the model from (1, 1, 2) towards (0.2, 0, 0)", code, move |student: &Camera| {
         let all = all(student);
         let mut image = canvas(SIDE, SIDE);
-        let scene = Scene { model: &MODEL, normals: corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+        let scene =
+            Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
         gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
         Raw::Picture(image)
     })
