@@ -118,6 +118,29 @@ fn starters_fail_kindly_and_solutions_pass() {
         assert!(copy.root.join(format!("out/my-{lesson}.png")).exists());
     }
 
+    // Every input can be pasted into a test.
+    for lesson in LESSONS.iter() {
+        let solution = copy.read(lesson, "src/lib.rs");
+        let judge =
+            copy.root.join(format!("target/debug/{}-judge{}", name(lesson), std::env::consts::EXE_SUFFIX));
+        let input = |n: usize| {
+            let arguments = ["input", "no program", &n.to_string()];
+            let said = Command::new(&judge).args(arguments).output().expect("it was built");
+            said.status.success().then(|| text(&said.stdout))
+        };
+        let inputs: String = (1..).map_while(input).collect();
+        copy.write(lesson, "src/lib.rs", &format!("{solution}\n{inputs}"));
+    }
+    let tested = text(&copy.missions("test", &LESSONS, &["--lib"]).stdout);
+    let passed =
+        tested.lines().filter(|line| line.starts_with("test input_") && line.ends_with("ok")).count();
+    let all = tested.lines().filter(|line| line.starts_with("test result: ok.")).count();
+    assert!(all == LESSONS.len() && passed > 100, "{passed} of {all}: {tested}");
+    for lesson in LESSONS.iter() {
+        let solution = Path::new(COURSE).join("tests/lessons").join(lesson).join("solution.rs");
+        copy.write(lesson, "src/lib.rs", &fs::read_to_string(solution).expect("it was read before"));
+    }
+
     // Whatever the student's code does, there is a verdict.
     let solution = copy.read("01-lines", "src/lib.rs");
     for (fault, points, said) in [

@@ -49,22 +49,23 @@ impl<F> Judge<F> {
             assert!(hint.is_none_or(|hint| chapter.contains(&hint)), "{}", fault.cause);
         }
         for seed in [SEED, 2] {
-            let sheets = self.key(seed);
+            let (sheets, tasks) = (self.key(seed), self.mission.tasks(seed));
             for (fault, version) in
                 self.faults.iter().flat_map(|fault| fault.versions.iter().map(move |v| (fault, v)))
             {
-                let mut rows = sheets.iter().zip(self.mission.tasks(seed));
-                let found = rows.find_map(|(sheet, tasks)| {
+                let rows: Vec<_> = sheets.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
+                let found = (0..rows.len()).find_map(|n| {
+                    let (sheet, tasks) = rows[n];
                     let answers: Vec<Answer> = tasks.iter().map(|task| attempt(task, version)).collect();
                     let verdict = sheet.judge(&answers);
                     let wrong = !verdict.wrong.is_empty();
-                    wrong.then(|| (verdict, self.fault(None, sheet, &tasks, &answers)))
+                    wrong.then(|| (verdict, self.faults_of(&rows[..n], rows[n], &answers)))
                 });
-                let cause = found.as_ref().and_then(|(_, named)| Some((*named)?.cause));
-                let wrong = found.map(|(verdict, _)| verdict);
+                let (verdict, faults) = found.unwrap_or_else(|| panic!("{:?} earns all", fault.cause));
+                let causes: Vec<&str> = faults.iter().map(|fault| fault.cause).collect();
                 assert!(
-                    cause == Some(fault.cause),
-                    "{}, not {cause:?}, with seed {seed}: {wrong:?}",
+                    causes == [fault.cause],
+                    "{}: {causes:?}, with seed {seed}: {verdict:?}",
                     fault.cause
                 );
             }

@@ -3,7 +3,7 @@
 use tasks::{Answer, Precision, Task, attempt};
 
 use super::compare::compare;
-use super::{Judge, Sheet};
+use super::{Judge, Question, Sheet};
 
 /// A mistake that students make.
 pub struct Fault<F: 'static> {
@@ -25,25 +25,32 @@ impl<F> Fault<F> {
 }
 
 impl<F> Judge<F> {
-    /// The first fault that, on each input of a check, gives what was answered. The one that explains an earlier
-    /// check comes before the others.
-    pub(crate) fn fault<'a>(
-        &'a self,
-        earlier: Option<&'a Fault<F>>,
-        sheet: &Sheet,
-        tasks: &[Task<F>],
+    /// The faults that, on each input of a check, give what was answered. `before` are the checks that come before it
+    /// where these were passed: a fault that fails one of them is not what is wrong.
+    pub(crate) fn faults_of(
+        &self,
+        before: &[(&Sheet, &[Task<F>])],
+        (sheet, tasks): (&Sheet, &[Task<F>]),
         answers: &[Answer],
-    ) -> Option<&'a Fault<F>> {
-        let given = |version: &F| {
+    ) -> Vec<&Fault<F>> {
+        let right = |question: &Question, answer: &Answer| matches!(answer, Answer::Raw(raw) if question.differs(raw).is_empty());
+        let passes = |version: &F, (sheet, tasks): &(&Sheet, &[Task<F>])| {
+            tasks
+                .iter()
+                .zip(&sheet.questions)
+                .all(|(task, question)| right(question, &attempt(task, version)))
+        };
+        let gives = |version: &F| {
             let mut wrong = false;
             let same = tasks.iter().zip(&sheet.questions).zip(answers).all(|((task, question), answer)| {
                 let own = attempt(task, version);
-                wrong |= !matches!(&own, Answer::Raw(raw) if question.differs(raw).is_empty());
+                wrong |= !right(question, &own);
                 alike(&own, answer, question.precision)
             });
             same && wrong && answers.len() == tasks.len()
         };
-        earlier.into_iter().chain(self.faults).find(|fault| fault.versions.iter().any(given))
+        let is_it = |version: &F| gives(version) && before.iter().all(|row| passes(version, row));
+        self.faults.iter().filter(|fault| fault.versions.iter().any(is_it)).collect()
     }
 }
 

@@ -83,22 +83,38 @@ impl<F> Judge<F> {
 
     /// Judges the answers to the questions of sheets, check by check.
     pub(crate) fn judge(&self, seed: u64, sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
+        let all = self.mission.checks.iter().zip(self.mission.tasks(seed));
+        let asked = all.filter(|(check, _)| sheets.iter().any(|sheet| sheet.name == check.name));
+        let tasks: Vec<Vec<Task<F>>> = asked.map(|(_, tasks)| tasks).collect();
+        let rows: Vec<_> = sheets.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
         let mut rest = answers;
-        let mut tasks = self.mission.checks.iter().zip(self.mission.tasks(seed));
-        let mut named = None;
-        let verdict = |sheet: &Sheet| {
-            let (own, others) = rest.split_at(sheet.questions.len().min(rest.len()));
+        // What the first wrong check shows is looked for in those after it.
+        let mut named: Option<Vec<&Fault<F>>> = None;
+        let verdict = |(n, &sheet): (usize, &(&Sheet, &[Task<F>]))| {
+            let (own, others) = rest.split_at(sheet.0.questions.len().min(rest.len()));
             rest = others;
-            let mut verdict = sheet.judge(own);
-            let tasks = tasks.find(|(check, _)| check.name == sheet.name);
-            if let Some((_, tasks)) = tasks.filter(|_| !verdict.wrong.is_empty()) {
-                let fault = self.fault(named, sheet, &tasks, own);
-                named = named.or(fault);
-                verdict.cause = fault.map(|fault| fault.told(self.mission.lesson));
+            let mut verdict = sheet.0.judge(own);
+            if !verdict.wrong.is_empty() {
+                let before = if named.is_none() { &rows[..n] } else { &[] };
+                let mut faults = self.faults_of(before, sheet, own);
+                match &named {
+                    None => named = Some(faults.clone()),
+                    Some(named) => {
+                        let again =
+                            |fault: &&Fault<F>| named.iter().any(|named| std::ptr::eq(*named, *fault));
+                        if faults.iter().any(again) {
+                            faults.retain(again);
+                        } else if faults.len() > 1 {
+                            faults.clear();
+                        }
+                    }
+                }
+                let told: Vec<String> = faults.iter().map(|fault| fault.told(self.mission.lesson)).collect();
+                verdict.cause = Some(told.join("; or ")).filter(|told| !told.is_empty());
             }
             verdict
         };
-        sheets.iter().map(verdict).collect()
+        rows.iter().enumerate().map(verdict).collect()
     }
 
     /// A judge's program.
