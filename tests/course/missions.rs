@@ -131,11 +131,12 @@ fn starters_fail_kindly_and_solutions_pass() {
         let inputs: String = (1..).map_while(input).collect();
         copy.write(lesson, "src/lib.rs", &format!("{solution}\n{inputs}"));
     }
-    let tested = text(&copy.missions("test", &LESSONS, &["--lib"]).stdout);
+    let output = copy.missions("test", &LESSONS, &["--lib"]);
+    let tested = text(&output.stdout);
     let passed =
         tested.lines().filter(|line| line.starts_with("test input_") && line.ends_with("ok")).count();
     let all = tested.lines().filter(|line| line.starts_with("test result: ok.")).count();
-    assert!(all == LESSONS.len() && passed > 100, "{passed} of {all}: {tested}");
+    assert!(all == LESSONS.len() && passed > 100, "{passed} of {all}: {tested}{}", text(&output.stderr));
     for lesson in LESSONS.iter() {
         let solution = Path::new(COURSE).join("tests/lessons").join(lesson).join("solution.rs");
         copy.write(lesson, "src/lib.rs", &fs::read_to_string(solution).expect("it was read before"));
