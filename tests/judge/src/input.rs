@@ -21,8 +21,7 @@ impl<F> Judge<F> {
         let tasks = self.mission.tasks(SEED).into_iter().flatten();
         let questions = sheets.iter().flat_map(|sheet| &sheet.questions);
         let (task, question) = tasks.zip(questions).nth(n - 1).context("an input")?;
-        let names =
-            ["Attributes", "Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3"];
+        let names = ["Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3"];
         let used = names.iter().filter(|name| {
             [format!("{name}::"), format!("{name} {{")].iter().any(|word| task.code.contains(word))
         });

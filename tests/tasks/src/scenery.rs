@@ -25,8 +25,8 @@ pub const MODEL_CODE: &str = "let model = Model::read(\n    common::program::mod
                               place\");\n";
 
 /// That texture as Rust.
-pub const TEXTURE_CODE: &str =
-    "let texture = Image::read(\"assets/crate.png\".as_ref()).expect(\"it is in its place\");\n";
+pub const TEXTURE_CODE: &str = "let path = concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/../../../assets/crate.png\");\n\
+                                let texture = Image::read(path.as_ref()).expect(\"it is in its place\");\n";
 
 /// The painted wooden box.
 pub static TEXTURE: LazyLock<Image> = LazyLock::new(|| {

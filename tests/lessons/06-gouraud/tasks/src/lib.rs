@@ -142,7 +142,7 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
 /// Draws the course's model.
 fn whole(code: &str, result: fn(&Drawn, Image) -> Raw) -> Task<Gouraud> {
     let before = whole_code("|p| Some(zbuffer::to_screen(p, size))");
-    Task::new("the model", format!("{before}let got = {code};"), move |student: &Gouraud| {
+    Task::new("the model", format!("{before}let got = {};", part(code)), move |student: &Gouraud| {
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
         let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL)), &mut image, &|p| {
@@ -158,7 +158,7 @@ fn cut(rng: &mut Rng, code: &str, result: fn(Drawn, Image) -> Raw) -> Task<Goura
     let right = rng.f32() * 0.3 - 0.1;
     let before = whole_code(&format!("|p| (p.x < {right}).then(|| zbuffer::to_screen(p, size))"));
     let input = format!("{code} of the model without its part right of x = {right}");
-    Task::new(input, format!("{before}let got = {code};"), move |student: &Gouraud| {
+    Task::new(input, format!("{before}let got = {};", part(code)), move |student: &Gouraud| {
         let mut image = canvas(SIDE, SIDE);
         let size = image.size();
         let place = |p: Vec3| (p.x < right).then(|| zbuffer::to_screen(p, size));
@@ -166,6 +166,11 @@ fn cut(rng: &mut Rng, code: &str, result: fn(Drawn, Image) -> Raw) -> Task<Goura
         result(drawn, image)
     })
     .of(|_| shapes(&MODEL, SIDE))
+}
+
+/// `drawn` and `image`, of which one is judged.
+fn part(code: &str) -> &str {
+    if code == "image" { "(drawn, image).1" } else { code }
 }
 
 /// The course's model, drawn, as Rust.
