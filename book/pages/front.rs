@@ -2,7 +2,7 @@
 
 use common::compare::Difference;
 use common::{Color, IVec2, Image, Vec2, Vec3};
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use lines::METHODS;
 use triangles::{draw_model, flat_intensity};
 use zbuffer::to_screen;
@@ -36,7 +36,8 @@ fn welcome() -> anyhow::Result<Drawing> {
     draw_model(&model, exact, &mut random, |n, corners| brightness(corners).map(|_| Color::random(n as u64)));
     draw_model(&model, exact, &mut lit, |_, corners| brightness(corners).map(Color::gray));
     let (texture, normals) = (texture()?, corner_normals(&model));
-    let scene = Scene { model: &model, normals: &normals, texture: &texture, light: Vec3::Z };
+    let scene =
+        Scene { model: &model, normals: &normals, texture: &texture, wrap: Wrap::Clamp, light: Vec3::Z };
     let smooth = smooth(600, &scene, |point| Some(to_screen(point, Vec2::splat(600.0))));
     beside([&wires, &random, &lit, &smooth])
 }

@@ -7,9 +7,9 @@ use std::sync::LazyLock;
 use regex::Regex;
 
 use crate::fault::Fault;
-use crate::figures::Drawn;
 use crate::html::Made;
 use crate::page::Link;
+use charts::figures::Drawn;
 
 /// Pages that are not listed, links that lead nowhere, marks that came through, figures that no page shows. `staged`
 /// is what mdBook built the pages from, `built` what it built.
@@ -36,7 +36,7 @@ pub(crate) fn faults<'a>(
         pages.iter().flat_map(|page| &page.page.figures).map(String::as_str).collect();
     let unshown = figures.iter().map(|drawn| drawn.figure).filter(move |figure| !shown.contains(figure.name));
     of_pages.into_iter().chain(unshown.map(|figure| Fault {
-        file: figure.row.file().replace('\\', "/").replace("src/../", ""),
+        file: figure.row.file().replace('\\', "/").replace("charts/src/../../", ""),
         line: figure.row.line() as usize,
         message: format!("no page shows the figure `{}`", figure.name),
     }))

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail};
 
 use crate::fault::Fault;
-use crate::figures::{self, Drawn};
-use crate::lessons::{LESSONS, Lesson};
 use crate::page::{Page, Sources, expand};
 use crate::{check, mdbook};
+use charts::figures::{self, Drawn};
+use charts::lessons::{LESSONS, Lesson};
 
 /// The book's own folder.
 const BOOK: &str = env!("CARGO_MANIFEST_DIR");

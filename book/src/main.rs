@@ -10,18 +10,13 @@
 //! cargo run -p book -- pictures              each lesson's picture, into the lessons' folders
 //! ```
 
-mod charts;
 mod check;
 mod fault;
-mod figures;
 mod html;
-mod lessons;
 mod markup;
 mod math;
 mod mdbook;
 mod page;
-#[path = "../pages/mod.rs"]
-mod pages;
 mod pictures;
 mod quiz;
 mod quote;

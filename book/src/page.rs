@@ -25,13 +25,13 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use regex::Regex;
 
 use crate::fault::Fault;
-use crate::figures::Drawn;
-use crate::lessons::tables;
 use crate::markup::{escaped, guarded};
 use crate::math::mathml;
 use crate::quiz;
 use crate::quote::Quote;
 use crate::values::{Table, spelled};
+use charts::figures::Drawn;
+use charts::lessons::tables;
 
 /// What a page can draw on.
 pub(crate) struct Sources<'a> {
@@ -284,7 +284,7 @@ impl Writer<'_> {
         Ok(format!("<img src=\"figures/{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\">"))
     }
 
-    /// A measured chart, which leads to its file: on a telephone it is small.
+    /// A measured chart, which leads to its file. On a telephone it is another one of the same figures.
     fn chart(&self, name: &str) -> Result<String, String> {
         let (file, folder) = (format!("charts/{name}.svg"), self.sources.charts);
         let svg = std::fs::read_to_string(folder.join(format!("{name}.svg")))
@@ -294,8 +294,13 @@ impl Writer<'_> {
         let best = Table::read(folder, name).map(|table| table.best().join(", ")).unwrap_or_default();
         let best = if best.is_empty() { best } else { format!(" None beats these in both: {best}.") };
         let alt = escaped(&format!("Chart. {title}.{best}"));
+        let narrow = format!("charts/{name}-narrow.svg");
+        if !folder.join(format!("{name}-narrow.svg")).is_file() {
+            return Err(format!("there is no {narrow}: cargo run --release -p book -- charts --draw"));
+        }
         Ok(format!(
-            "<a href=\"{file}\"><img src=\"{file}\" alt=\"{alt}\" width=\"{width}\" height=\"{height}\"></a>"
+            "<a href=\"{file}\"><picture><source media=\"(max-width: 560px)\" srcset=\"{narrow}\"><img src=\"{file}\" \
+             alt=\"{alt}\" width=\"{width}\" height=\"{height}\"></picture></a>"
         ))
     }
 
@@ -324,16 +329,11 @@ fn methods(table: &common::Table) -> String {
     format!("| method | what it promises | where it fails |\n|---|---|---|\n{rows}")
 }
 
-/// The words of a chart that are written largest, and its width and height.
+/// The title of a chart, and its width and height.
 fn chart_title(svg: &str) -> Option<(String, [String; 2])> {
     let document = roxmltree::Document::parse(svg).ok()?;
-    let size = |node: &roxmltree::Node| node.attribute("font-size").and_then(|size| size.parse::<f64>().ok());
-    let words =
-        document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
-    let title = words.filter(|node| size(node).is_some()).max_by(|a, b| {
-        let [a, b] = [a, b].map(|node| size(node).unwrap_or_default());
-        a.total_cmp(&b)
-    })?;
+    let title =
+        document.descendants().find(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "title")))?;
     let root = document.root_element();
     let side = |name| root.attribute(name).map(String::from);
     Some((title.text()?.trim().to_string(), [side("width")?, side("height")?]))
@@ -346,8 +346,8 @@ fn ensure_margin(at_margin: bool, what: &str) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::Figure;
-    use crate::figures::sheet::Sheet;
+    use charts::figures::Figure;
+    use charts::figures::sheet::Sheet;
 
     /// A page of this source in a folder with one lesson file and one table.
     fn page(source: &str) -> Page {
@@ -451,8 +451,8 @@ mod tests {
 
     #[test]
     fn a_chart_is_told_by_its_title() {
-        let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='7'><text font-size='3'>a</text>\
-                   <text font-size='21'>\nThe title\n</text><text font-size='4'>b</text></svg>";
+        let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='7'><title>\nThe title\n</title>\
+                   <text>a</text></svg>";
         assert_eq!(chart_title(svg), Some(("The title".into(), ["10".into(), "7".into()])));
         assert_eq!(chart_title("<svg/>"), None);
     }

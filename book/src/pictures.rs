@@ -6,7 +6,7 @@ use std::process::Command;
 use anyhow::{Context, ensure};
 use common::Image;
 
-use crate::lessons::{LESSONS, Lesson};
+use charts::lessons::{LESSONS, Lesson};
 
 /// The book's own folder.
 const BOOK: &str = env!("CARGO_MANIFEST_DIR");

@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::Context;
 use common::file::write_whole;
 
-use crate::lessons::{LESSONS, Lesson};
+use charts::lessons::{LESSONS, Lesson};
 
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
 

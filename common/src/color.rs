@@ -112,6 +112,18 @@ mod tests {
         assert_eq!(levels, [0, 0, 128, 255, 255, 0]);
     }
 
+    /// All products of two bytes, held against the exact quotient: none is half-way between two levels.
+    #[test]
+    fn every_mixture_is_rounded_to_nearest() {
+        for (above, coverage) in
+            (0..=255_u8).flat_map(|above| (0..=255).map(move |coverage| (above, coverage)))
+        {
+            let exact = f64::from(above) * f64::from(coverage) / 255.0;
+            let got = Color::BLACK.mixed(Color::rgb(above, 255 - above, 0), coverage);
+            assert_eq!(f64::from(got.r), exact.round(), "{above} {coverage}");
+        }
+    }
+
     #[test]
     fn luma_of_every_grey_is_that_grey() {
         assert!((0..=255).all(|v| Color::rgb(v, v, v).luma() == v));

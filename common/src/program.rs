@@ -11,7 +11,7 @@ mod texture;
 pub mod values;
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::Context;
@@ -19,10 +19,12 @@ use clap::builder::PossibleValuesParser;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, ArgMatches, Args, Command, FromArgMatches};
 
+use crate::printable::shown;
 use crate::terminal::{eprintln, print};
 use crate::{Image, Lesson, Method};
 
 pub use output::Output;
+use output::is_same;
 
 /// What a lesson's program loads once, and draws as often as it is asked: by one method or by two, once or
 /// many times, into a file or a window.
@@ -164,7 +166,22 @@ fn parse_shared(
         let message = "'--compare <A,B>' takes two methods, as in --compare A,B\n";
         return Err(command.error(ErrorKind::WrongNumberOfValues, message));
     }
+    if let Some(out) = &shared.out
+        && let Some(flag) = other_flag_for(out, &matches)
+    {
+        let message = format!("'--out {}': --{flag} names that file: name another one\n", shown(out));
+        return Err(command.error(ErrorKind::ArgumentConflict, message));
+    }
     Ok((shared, matches))
+}
+
+/// Another flag than `--out` that names the file, which may be a texture that would be lost.
+fn other_flag_for<'a>(out: &Path, matches: &'a ArgMatches) -> Option<&'a str> {
+    let others = matches.ids().map(clap::Id::as_str).filter(|&id| id != "out");
+    let names = |id: &&str| {
+        matches.try_get_one::<PathBuf>(id).is_ok_and(|path| path.is_some_and(|path| is_same(path, out)))
+    };
+    others.into_iter().find(names)
 }
 
 /// clap's message without its usage block, on one line. A flag that clap does not know may be another

@@ -15,11 +15,10 @@ const MODEL: &str = "02-wireframe";
 /// Outside of the lesson's own folders: a file, and a line that goes behind the last one that holds these words.
 const LINES: &[(&str, &str, &str)] = &[
     ("Cargo.toml", "{ path = \"lessons/", "toy = { path = \"lessons/NN-toy\" }"),
-    ("book/Cargo.toml", "wireframe.workspace = true", "toy.workspace = true"),
-    ("book/src/lessons.rs", "pub(crate) mod ", "#[path = \"../lessons/NN-toy/mod.rs\"]"),
-    ("book/src/lessons.rs", "#[path = ", "pub(crate) mod toy;"),
-    ("book/src/lessons.rs", "::LESSON,", "    toy::LESSON,"),
-    ("book/src/charts.rs", "    lessons::", "    lessons::toy::charts::CHART,"),
+    ("book/charts/Cargo.toml", "wireframe.workspace = true", "toy.workspace = true"),
+    ("book/charts/src/lessons.rs", "pub(crate) mod ", "#[path = \"../../lessons/NN-toy/mod.rs\"]"),
+    ("book/charts/src/lessons.rs", "#[path = ", "pub(crate) mod toy;"),
+    ("book/charts/src/lessons.rs", "::LESSON,", "    toy::LESSON,"),
 ];
 
 #[test]

@@ -169,6 +169,11 @@ fn png_with_a_palette() {
         let file = png((3, 1), [bits, 3, 0], &palette, &[&[0], row].concat());
         assert_eq!(colors(&file, Encoding::Png), [RED, GREEN, BLUE], "{bits}");
     }
+    // A palette that ends within a colour is an error, whether or not that colour is used.
+    for length in [4, 5, 7, 8] {
+        let file = png((1, 1), [8, 3, 0], &palette[..length], &[0, 0]);
+        assert!(Image::decode(&file, Encoding::Png).is_err(), "{length}");
+    }
     // An index beyond the palette is an error or black, and never another's memory.
     let file = png((1, 1), [8, 3, 0], &palette, &[0, 200]);
     assert!(Image::decode(&file, Encoding::Png).is_err() || colors(&file, Encoding::Png) == [Color::BLACK]);

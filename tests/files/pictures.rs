@@ -329,12 +329,16 @@ fn flags_that_do_not_go_together_are_refused() {
     for (lesson, arguments, said) in [
         ("triangles", &["--triangle", "0,0,1,0,0,1", "--model"][..], "cannot be used with '--model"),
         ("wireframe", &["--fit", "x"], "--fit"),
-        ("zbuffer", &[&same[..], &["a.png"]].concat(), "--depth a.png: the picture itself goes there"),
-        ("zbuffer", &[&same[..], &["./a.png"]].concat(), "name another file"),
+        ("zbuffer", &[&same[..], &["a.png"]].concat(), "'--out a.png': --depth names that file"),
+        ("zbuffer", &[&same[..], &["./a.png"]].concat(), "name another one"),
+        ("gouraud", &["--texture", "a.png", "--out", "./a.png"], "--texture names that file"),
     ] {
         assert_fails(&run(lesson, folder.path(), arguments), 2, &[said]);
     }
     assert_eq!(names(folder.path()), [""; 0]);
+    let unnamed = ["--model", SPHERE, "--depth", "out/04-zbuffer.png"];
+    assert_fails(&run("zbuffer", folder.path(), &unnamed), 2, &["the picture itself goes there"]);
+    assert_eq!(names(&folder.path().join("out")), [""; 0]);
 }
 
 /// A name need not be text: the pictures' numbers are put into it as it is.

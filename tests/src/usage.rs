@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::process::Output;
 
-use common::{Color, Image, Lesson, Method};
+use common::{Color, Format, Image, Lesson, Method};
 use tempfile::tempdir;
 
 use super::{CRATE, SPHERE, names, program, run};
@@ -108,6 +108,40 @@ pub fn check_texture(lesson: &Lesson) {
     let missing = ["--model", SPHERE, "--texture", "none.png", "--out", "a.png"];
     assert_fails(&run(lesson.name, folder.path(), &missing), 1, &["cannot read none.png"]);
     assert_eq!(names(folder.path()), ["bare.obj"]);
+}
+
+/// What `--wrap` shows of a texture of 2×2 texels on a square that has it from −1 to 3, 80 px wide in the middle of a
+/// picture of that side: eight texels across, of which the third and fourth are the texture's own.
+///
+/// # Panics
+/// Where a pixel has another texel than it should.
+#[track_caller]
+pub fn check_wrap(lesson: &Lesson, side: i32, flags: &[&str]) {
+    let folder = tempdir().expect("a temporary folder can be made");
+    let text =
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt -1 -1\nvt 3 -1\nvt 3 3\nvt -1 3\nf 1/1 2/2 3/3 4/4\n";
+    std::fs::write(folder.path().join("a.obj"), text).expect("the folder can be written");
+    let mut texture = Image::new(2, 2, Format::Rgb);
+    for (x, y, _) in texture.clone().pixels() {
+        texture.set(x, y, Color::rgb(255 * x as u8, 255 * y as u8, 255));
+    }
+    texture.write(&folder.path().join("t.png")).expect("the folder can be written");
+
+    let size = format!("{side}x{side}");
+    let scene = ["--model", "a.obj", "--texture", "t.png", "--size", &size, "--out", "a.png"];
+    for (wrap, repeats) in [(&[][..], false), (&["--wrap", "clamp"], false), (&["--wrap", "repeat"], true)] {
+        let output = run(lesson.name, folder.path(), &[&scene, flags, wrap].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let picture = read(folder.path(), "a.png");
+        let margin = (side - 80) / 2;
+        for (x, y) in (0..80).flat_map(|y| (0..80).map(move |x| (x, y))) {
+            let texel = |n: i32| if repeats { n.rem_euclid(2) } else { n.clamp(0, 1) };
+            let [i, j] = [x, y].map(|n| texel(n / 10 - 2));
+            let found = picture.get(margin + x, margin + y);
+            assert_eq!(found, texture.get(i, j), "{wrap:?}, ({x}, {y})");
+        }
+    }
+    assert_fails(&run(lesson.name, folder.path(), &["--wrap", "mirror"]), 2, &["--wrap <clamp|repeat>"]);
 }
 
 /// Checks that what reaches behind the eye is left out and told, and all else is drawn.

@@ -1,17 +1,20 @@
 //! Lesson 1: segments.
 
-use checks::segment::distances;
+use checks::segment::{distances, thickness};
 use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2Swizzles};
 use fastrand::Rng;
 use lines::{Line, METHODS};
 
-use crate::charts::measure::{Effort, Errors, Work};
-use crate::charts::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measure::{Effort, Errors, Work};
+use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+
+/// How a method draws.
+type Draw = fn(IVec2, IVec2, &mut Image, Color);
 
 /// The side of the picture that segments are drawn into.
 const SIDE: i32 = 1000;
 
-const HALF: (f64, &str) = (0.5, "½ px: the nearest pixel");
+const HALF: (f64, &str) = (0.5, "within ½ px");
 
 pub(crate) const CHART: Chart = Chart {
     name: "01-lines",
@@ -21,6 +24,7 @@ pub(crate) const CHART: Chart = Chart {
     further: &["steps_without_pixel_%", "ends_missed", "reversed_differs_%"],
     samples: "random segments of 1 to 999 px in all directions",
     exhaustive: false,
+    proved: &[],
     errors,
     timed: "such segments of 100 px, in a picture of 1000×1000",
     throughput: "Mpx/s",
@@ -32,10 +36,45 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "largest distance", unit: "px", limit: (1.0, "1 px") },
         measure: stability,
     },
+    wrong: &["step-0.1", "step-0.01", "per-column", "listing"],
     advice: &[
         ("bresenham", "always, unless the line must be smooth: exact, any ends, free outside the picture"),
-        ("wu", "where stairs would show"),
+        ("distance", "where stairs would show"),
+        ("wu", "the same, where the thickness may vary with the direction"),
         ("scaled", "inside the picture, with ends below 2²⁹: as exact, without setting up a window"),
+    ],
+};
+
+/// The same methods by another measure: how thick their lines are, and how smooth.
+pub(crate) const COVERAGE_CHART: Chart = Chart {
+    name: "01-lines-coverage",
+    job: "Lesson 1, a line one pixel thick",
+    methods: || METHODS.iter().map(|method| method.name).collect(),
+    error: Quantity { name: "error of a pixel's share", unit: "of the pixel", limit: (0.1, "within 1/10") },
+    further: &["ink_%"],
+    samples: "random segments of 9 to 999 px in all directions, without their ends",
+    exhaustive: false,
+    proved: &[],
+    errors: coverage_errors,
+    timed: "segments of 100 px, in a picture of 1000×1000",
+    throughput: "Mpx/s",
+    work,
+    sizes: Sizes { name: "pixels a segment", all: &[100], usual: 100 },
+    stability: Stability {
+        stress: "slope",
+        falling: false,
+        error: Quantity {
+            name: "largest error of a pixel's share",
+            unit: "of the pixel",
+            limit: (0.1, "1/10 of a pixel"),
+        },
+        measure: coverage_stability,
+    },
+    wrong: CHART.wrong,
+    advice: &[
+        ("distance", "where lines of all directions should look alike"),
+        ("wu", "nearly level or upright lines"),
+        ("bresenham", "where stairs do no harm"),
     ],
 };
 
@@ -69,24 +108,20 @@ fn errors(effort: Effort) -> Vec<Errors> {
         for (method, errors) in errors.iter_mut().enumerate() {
             let mut drawn = pixels(method, a, b);
             let (largest, mean) = distances(a, b, &drawn);
-            let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
-            let mut steps: Vec<i32> = drawn.iter().map(|&(x, y, _)| if steep { y } else { x }).collect();
-            steps.sort_unstable();
-            steps.dedup();
             let all = a.x.abs_diff(b.x).max(a.y.abs_diff(b.y)) as usize + 1;
             let missed =
                 [a, b].iter().filter(|end| !drawn.iter().any(|&(x, y, _)| (x, y) == (end.x, end.y))).count();
             let mut reversed = pixels(method, b, a);
             drawn.sort_unstable();
             reversed.sort_unstable();
-            let gaps = 100.0 * all.saturating_sub(steps.len()) as f64 / all as f64;
+            let gaps = 100.0 * all.saturating_sub(steps(a, b, &drawn)) as f64 / all as f64;
             errors.add(largest, mean, &[gaps, missed as f64, if drawn == reversed { 0.0 } else { 100.0 }]);
         }
     }
     errors
 }
 
-/// Segments of that many pixels, in all directions.
+/// Segments of that many pixels, in all directions. Steps without a pixel are no work done.
 fn work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let length = (size as i32 - 1).min(SIDE - 1);
@@ -99,15 +134,59 @@ fn work(size: usize, effort: Effort) -> Vec<Work> {
         if random.bool() { (a, b) } else { (a.yx(), b.yx()) }
     };
     let segments: Vec<(IVec2, IVec2)> = (0..(20_000 / size).max(20)).map(|_| segment()).collect();
-    let amount = (segments.len() * size) as f64;
-    let work = |method: &'static Method<Line>| {
+    let draws = |draw: Draw, amount: usize| {
         let (segments, mut image) = (segments.clone(), Image::new(SIDE as u16, SIDE as u16, Format::Rgb));
-        Work::new(amount, move || {
-            segments.iter().for_each(|&(a, b)| (method.run.draw)(a, b, &mut image, Color::WHITE));
+        Work::new(amount as f64, move || {
+            segments.iter().for_each(|&(a, b)| draw(a, b, &mut image, Color::WHITE));
             image.get(0, 0)
         })
     };
-    METHODS.iter().map(work).collect()
+    let nothing = draws(|_, _, _, _| {}, 0);
+    let work = |(n, method): (usize, &Method<Line>)| {
+        let done = segments.iter().map(|&(a, b)| steps(a, b, &pixels(n, a, b)));
+        draws(method.run.draw, done.sum())
+    };
+    std::iter::once(nothing).chain(METHODS.iter().enumerate().map(work)).collect()
+}
+
+/// How many steps along the major axis have a pixel.
+fn steps(a: IVec2, b: IVec2, drawn: &[(i32, i32, u8)]) -> usize {
+    let steep = a.x.abs_diff(b.x) < a.y.abs_diff(b.y);
+    let mut steps: Vec<i32> = drawn.iter().map(|&(x, y, _)| if steep { y } else { x }).collect();
+    steps.sort_unstable();
+    steps.dedup();
+    steps.len()
+}
+
+/// How much of each pixel is covered wrongly, held against a line 1 px thick; the ends apart, where it has a shape
+/// that nobody stated.
+fn coverage_errors(effort: Effort) -> Vec<Errors> {
+    let mut random = effort.random();
+    let mut errors = Errors::table(METHODS.len(), COVERAGE_CHART.further.len());
+    for _ in 0..effort.samples(20_000) {
+        let (a, b) = loop {
+            let (a, b) = random_segment(&mut random);
+            if (a - b).abs().max_element() >= 8 {
+                break (a, b);
+            }
+        };
+        for (method, errors) in errors.iter_mut().enumerate() {
+            let found = thickness(a, b, &pixels(method, a, b));
+            errors.add(found.largest, found.mean, &[100.0 * found.ink]);
+        }
+    }
+    errors
+}
+
+/// Steeper and steeper lines.
+fn coverage_stability(_: Effort) -> Vec<Series> {
+    let rises = [5, 10, 20, 40, 60, 80, 100, 120, 140, 160, 180, 200];
+    let largest = |method, rise| {
+        let (a, b) = (IVec2::ZERO, IVec2::new(200, rise));
+        thickness(a, b, &pixels(method, a, b)).largest
+    };
+    let series = |method| rises.map(|rise| (f64::from(rise) / 200.0, largest(method, rise))).to_vec();
+    (0..METHODS.len()).map(series).collect()
 }
 
 fn stability(effort: Effort) -> Vec<Series> {

@@ -9,8 +9,9 @@ use crate::lessons::Lesson;
 
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: lines::LESSON,
-    methods: "ten, from a loop with a magic number to Bresenham's and Wu's algorithms",
+    methods: "eleven, from a loop with a magic number to Bresenham's, Wu's, and one of equal thickness in all directions",
     picture: "Two lines",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART, charts::COVERAGE_CHART],
 };

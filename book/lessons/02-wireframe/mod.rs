@@ -13,4 +13,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     picture: "A wireframe",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

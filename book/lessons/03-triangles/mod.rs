@@ -16,4 +16,5 @@ pub(crate) const LESSON: Lesson = Lesson {
         Picture { name: "flat", flags: &["--model"] },
     ],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

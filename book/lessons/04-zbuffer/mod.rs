@@ -13,4 +13,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     picture: "The head, flat-shaded",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

@@ -5,9 +5,9 @@ use common::{Color, Format, Image, Method, Vec2, Vec3};
 use fastrand::Rng;
 use textures::{METHODS, Sampler};
 
-use crate::charts::measure::{Effort, Errors, Work};
-use crate::charts::models::{TRIANGLES, USUAL, sphere, texture};
-use crate::charts::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measure::{Effort, Errors, Work};
+use crate::models::{TRIANGLES, USUAL, sphere, texture};
+use crate::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const CHART: Chart = Chart {
     name: "05-textures",
@@ -16,11 +16,12 @@ pub(crate) const CHART: Chart = Chart {
     error: Quantity {
         name: "how far the texel found lies from (u, v)",
         unit: "texels",
-        limit: (0.01, "1/100 texel"),
+        limit: (0.01, "within 1/100 texel"),
     },
     further: &["black_%"],
     samples: "random u, v from 0 to 1, one in 64 of them just 1, in 200×200 texels",
     exhaustive: false,
+    proved: &[],
     errors,
     timed: "a textured sphere of 5,000 triangles in a picture of 800×800",
     throughput: "Mpx/s",
@@ -32,6 +33,7 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "lookups of another texel", unit: "%", limit: (0.0, "none") },
         measure: stability,
     },
+    wrong: &[],
     advice: &[("nearest", "always, unless the texture tiles"), ("repeat", "textures that tile")],
 };
 

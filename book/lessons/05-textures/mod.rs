@@ -13,4 +13,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     picture: "The head with skin and hair",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

@@ -4,7 +4,7 @@ use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use std::fmt::Write;
 
 use common::{Color, Image, Mat3, Model, Vec2, Vec3};
-use gouraud::{METHODS, Scene, corner_normals, gouraud, intensities};
+use gouraud::{METHODS, Scene, Wrap, corner_normals, gouraud, intensities};
 use transforms::affine::{rotate_x, rotate_y};
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
@@ -91,7 +91,7 @@ pub(crate) fn smooth(side: u16, scene: &Scene, put: impl Fn(Vec3) -> Option<Vec3
 /// A white model by one of the lesson's methods.
 fn by(name: &str, model: &Model, light: Vec3, side: u16) -> anyhow::Result<Image> {
     let mut image = canvas(side);
-    let scene = Scene { model, normals: &corner_normals(model), texture: &white(), light };
+    let scene = Scene { model, normals: &corner_normals(model), texture: &white(), wrap: Wrap::Clamp, light };
     method(METHODS, name)?(&scene, &mut image);
     Ok(image)
 }
@@ -100,14 +100,20 @@ fn by(name: &str, model: &Model, light: Vec3, side: u16) -> anyhow::Result<Image
 fn turned(model: &Model, turn: Mat3, light: Vec3, side: u16) -> Image {
     let normals: Vec<_> =
         corner_normals(model).iter().map(|corners| corners.map(|normal| turn * normal)).collect();
-    let scene = Scene { model, normals: &normals, texture: &white(), light };
+    let scene = Scene { model, normals: &normals, texture: &white(), wrap: Wrap::Clamp, light };
     smooth(side, &scene, |point| Some(to_screen(turn * point * 0.55, Vec2::splat(f32::from(side)))))
 }
 
 fn three() -> anyhow::Result<Drawing> {
     let (model, texture) = (model()?, texture()?);
     let light = Vec3::new(0.4, 0.3, 1.0).normalize();
-    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light };
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &texture,
+        wrap: Wrap::Clamp,
+        light,
+    };
     all_beside(["none", "flat", "gouraud"].map(|name| {
         let mut image = canvas(1200);
         method(METHODS, name)?(&scene, &mut image);

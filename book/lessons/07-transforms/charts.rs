@@ -7,11 +7,11 @@ use transforms::inverse::{INVERSES, Invert};
 use transforms::rotation::{ROTATIONS, Rotate};
 use transforms::{Compose, METHODS};
 
-use crate::charts::measure::{Effort, Errors, Work};
-use crate::charts::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measure::{Effort, Errors, Work};
+use crate::table::{Chart, Quantity, Series, Sizes, Stability};
 
 /// Half a pixel where a length of 1 takes up half of 800 px.
-const HALF_PIXEL: (f64, &str) = (0.5 / 400.0, "½ px of 800");
+const HALF_PIXEL: (f64, &str) = (0.5 / 400.0, "within ½ px of 800");
 
 pub(crate) const METHODS_CHART: Chart = Chart {
     name: "07-transforms",
@@ -23,8 +23,9 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         limit: HALF_PIXEL,
     },
     further: &["skew"],
-    samples: "10⁶ products of a rotation by a random angle about a coordinate axis",
+    samples: "10⁶ products of a rotation by a random angle about a random axis",
     exhaustive: false,
+    proved: &[],
     errors: compose_errors,
     timed: "10⁶ products of a rotation",
     throughput: "Mop/s",
@@ -40,6 +41,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         },
         measure: compose_stability,
     },
+    wrong: &[],
     advice: &[
         ("f64", "more than some 10,000 products"),
         ("f32", "fewer"),
@@ -57,8 +59,9 @@ pub(crate) const ROTATIONS_CHART: Chart = Chart {
         limit: HALF_PIXEL,
     },
     further: &[],
-    samples: "random axes and angles from -180° to 180°",
+    samples: "random axes and angles, every fourth with a pitch within 10⁻⁴ to 1° of ±90°",
     exhaustive: false,
+    proved: &[],
     errors: rotation_errors,
     timed: "1,000 matrices from axis and angle",
     throughput: "Mop/s",
@@ -74,6 +77,7 @@ pub(crate) const ROTATIONS_CHART: Chart = Chart {
         },
         measure: rotation_stability,
     },
+    wrong: &[],
     advice: &[
         ("rodrigues", "an axis and an angle"),
         ("quaternion", "what is stored, interpolated or composed"),
@@ -87,8 +91,9 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
     methods: || INVERSES.iter().map(|method| method.name).collect(),
     error: Quantity { name: "error of an entry", unit: "of the largest", limit: HALF_PIXEL },
     further: &[],
-    samples: "moves × random rotations × scales from ½ to 2 along each axis",
+    samples: "moves × rotations × scales from ½ to 2; every other one graded: rotation × diag(1, c⁻½, 1/c) × rotation, c from 1 to 10⁶",
     exhaustive: false,
+    proved: &[],
     errors: inverse_errors,
     timed: "1,000 such matrices",
     throughput: "Mop/s",
@@ -100,8 +105,10 @@ pub(crate) const INVERSES_CHART: Chart = Chart {
         error: Quantity { name: "largest error of an entry", unit: "of the largest", limit: HALF_PIXEL },
         measure: inverse_stability,
     },
+    wrong: &["transpose"],
     advice: &[
-        ("cofactors", "anything but rotations with a move: as accurate as elimination, and faster"),
+        ("elimination", "anything but rotations with a move, where accuracy counts"),
+        ("cofactors", "the same, with scales that differ by less than some 100"),
         ("transpose", "rotations with a move: the camera"),
     ],
 };
@@ -120,8 +127,7 @@ fn angle(random: &mut Rng) -> f32 {
     (random.f32() * 2.0 - 1.0) * std::f32::consts::PI
 }
 
-/// Where many turns by an angle end. Only the axes of the coordinates are just 1 long in f32: about any other
-/// one each turn also stretches by some 10⁻⁸, which is the input's fault and no method's.
+/// Where many turns by an angle end, about an axis that is 1 long as nearly as f32 has it.
 fn composed(method: &Method<Compose>, axis: Vec3, angle: f32, count: u32) -> (f64, f64) {
     let got = (method.run)(axis, angle, count);
     (turn::error(&got, axis.as_dvec3(), f64::from(angle) * f64::from(count)), turn::skew(&got))
@@ -130,10 +136,10 @@ fn composed(method: &Method<Compose>, axis: Vec3, angle: f32, count: u32) -> (f6
 fn compose_errors(effort: Effort) -> Vec<Errors> {
     let mut random = effort.random();
     let mut errors = Errors::table(METHODS.len(), METHODS_CHART.further.len());
-    for n in 0..effort.samples(300) {
-        let angle = angle(&mut random);
+    for _ in 0..effort.samples(300) {
+        let (axis, angle) = (direction(&mut random), angle(&mut random));
         for (method, errors) in METHODS.iter().zip(&mut errors) {
-            let (off, skew) = composed(method, Vec3::AXES[n % 3], angle, 1_000_000);
+            let (off, skew) = composed(method, axis, angle, 1_000_000);
             errors.add(off, off, &[skew]);
         }
     }
@@ -163,7 +169,7 @@ fn compose_stability(effort: Effort) -> Vec<Series> {
         (0..=if effort.quick { 12 } else { 14 }).map(|half| 10f64.powf(f64::from(half) / 2.0) as u32);
     let worst = |method: &Method<Compose>, count: u32| {
         let mut random = effort.random();
-        let turns = (0..12).map(|n| composed(method, Vec3::AXES[n % 3], angle(&mut random), count).0);
+        let turns = (0..12).map(|_| composed(method, direction(&mut random), angle(&mut random), count).0);
         turns.fold(0.0, f64::max)
     };
     METHODS
@@ -179,8 +185,13 @@ fn rotated(method: &Method<Rotate>, axis: Vec3, angle: f32) -> f64 {
 fn rotation_errors(effort: Effort) -> Vec<Errors> {
     let mut random = effort.random();
     let mut errors = Errors::table(ROTATIONS.len(), 0);
-    for _ in 0..effort.samples(1_000_000) {
-        let (axis, angle) = (direction(&mut random), angle(&mut random));
+    for n in 0..effort.samples(1_000_000) {
+        let (axis, angle) = if n % 4 == 3 {
+            let distance = 10f64.powf(-4.0 * random.f64());
+            near_pole(&mut random, distance)
+        } else {
+            (direction(&mut random), angle(&mut random))
+        };
         for (method, errors) in ROTATIONS.iter().zip(&mut errors) {
             let off = rotated(method, axis, angle);
             errors.add(off, off, &[]);
@@ -192,28 +203,35 @@ fn rotation_errors(effort: Effort) -> Vec<Errors> {
 fn rotation_work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let inputs: Vec<(Vec3, f32)> = (0..size).map(|_| (direction(&mut random), angle(&mut random))).collect();
-    let work = |method: &'static Method<Rotate>| {
+    let work = |rotate: Rotate, amount: usize| {
         let inputs = inputs.clone();
-        Work::new(size as f64, move || {
-            inputs.iter().map(|&(axis, angle)| (method.run)(axis, angle)).fold(Mat3::ZERO, |sum, m| sum + m)
+        Work::new(amount as f64, move || {
+            inputs.iter().map(|&(axis, angle)| rotate(axis, angle)).fold(Mat3::ZERO, |sum, m| sum + m)
         })
     };
-    ROTATIONS.iter().map(work).collect()
+    let nothing = work(|axis, _| Mat3::from_diagonal(axis), 0);
+    std::iter::once(nothing).chain(ROTATIONS.iter().map(|method| work(method.run, size))).collect()
 }
 
-/// Turns whose Euler angles have a pitch nearer and nearer to ±90°: about x by almost a quarter turn, and then
+/// A turn whose Euler angles have a pitch that many degrees from 90°: about x by almost a quarter turn, and then
 /// about y.
+fn near_pole(random: &mut Rng, distance: f64) -> (Vec3, f32) {
+    let heading = random.f64() * std::f64::consts::TAU;
+    let pitch = (90.0 - distance).to_radians();
+    // The product of the two turns is a turn about one axis: that of the product of their quaternions.
+    let q = glam::DQuat::from_rotation_y(heading) * glam::DQuat::from_rotation_x(pitch);
+    let (axis, angle) = q.to_axis_angle();
+    (axis.as_vec3(), angle as f32)
+}
+
+/// Turns with a pitch nearer and nearer to 90°.
 fn rotation_stability(effort: Effort) -> Vec<Series> {
     let distances = (-4..=12).map(|half| 10f64.powf(-f64::from(half) / 2.0));
     let worst = |method: &Method<Rotate>, distance: f64| {
         let mut random = effort.random();
         let turns = (0..effort.samples(400)).map(|_| {
-            let heading = random.f64() * std::f64::consts::TAU;
-            let pitch = (90.0 - distance).to_radians();
-            // The product of the two turns is a turn about one axis: that of the product of their quaternions.
-            let q = glam::DQuat::from_rotation_y(heading) * glam::DQuat::from_rotation_x(pitch);
-            let (axis, angle) = q.to_axis_angle();
-            rotated(method, axis.as_vec3(), angle as f32)
+            let (axis, angle) = near_pole(&mut random, distance);
+            rotated(method, axis, angle)
         });
         turns.fold(0.0, f64::max)
     };
@@ -223,7 +241,7 @@ fn rotation_stability(effort: Effort) -> Vec<Series> {
         .collect()
 }
 
-/// A matrix with entries in whole 2⁻²⁰, and the same times 2²⁰ in whole numbers.
+/// A matrix with entries in whole 2⁻²⁶, and the same times 2²⁶ in whole numbers.
 fn whole(m: &Mat4) -> (Mat4, matrix::Whole) {
     let rows: matrix::Whole =
         [0, 1, 2, 3].map(|row| m.row(row).to_array().map(|entry| (f64::from(entry) * SCALE).round() as i128));
@@ -240,12 +258,12 @@ fn whole(m: &Mat4) -> (Mat4, matrix::Whole) {
 }
 
 /// Steps of an entry in 1.
-const SCALE: f64 = (1 << 20) as f64;
+const SCALE: f64 = (1 << 26) as f64;
 
 /// The error of an inverse; infinite where there is none.
 fn inverted(method: &Method<Invert>, m: &Mat4, exact: Option<&(matrix::Whole, i128)>) -> f64 {
     match ((method.run)(m), exact) {
-        // The whole matrix is 2²⁰ times as large, so its inverse is as much smaller.
+        // The whole matrix is 2²⁶ times as large, so its inverse is as much smaller.
         (Some(got), Some(exact)) => matrix::error(&(got * (1.0 / SCALE) as f32), exact),
         _ => f64::INFINITY,
     }
@@ -262,8 +280,14 @@ fn affine(random: &mut Rng) -> Mat4 {
 fn inverse_errors(effort: Effort) -> Vec<Errors> {
     let mut random = effort.random();
     let mut errors = Errors::table(INVERSES.len(), 0);
-    for _ in 0..effort.samples(100_000) {
-        let (m, scaled) = whole(&affine(&mut random));
+    for n in 0..effort.samples(100_000) {
+        let m = if n % 2 == 0 {
+            affine(&mut random)
+        } else {
+            let condition = 1e6f64.powf(random.f64());
+            graded(&mut random, condition)
+        };
+        let (m, scaled) = whole(&m);
         let exact = matrix::inverse(&scaled);
         for (method, errors) in INVERSES.iter().zip(&mut errors) {
             let off = inverted(method, &m, exact.as_ref());
@@ -276,26 +300,31 @@ fn inverse_errors(effort: Effort) -> Vec<Errors> {
 fn inverse_work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let inputs: Vec<Mat4> = (0..size).map(|_| affine(&mut random)).collect();
-    let work = |method: &'static Method<Invert>| {
+    let work = |invert: Invert, amount: usize| {
         let inputs = inputs.clone();
-        Work::new(size as f64, move || {
-            inputs.iter().filter_map(|m| (method.run)(m)).fold(Mat4::ZERO, |sum, m| sum + m)
-        })
+        Work::new(amount as f64, move || inputs.iter().filter_map(invert).fold(Mat4::ZERO, |sum, m| sum + m))
     };
-    INVERSES.iter().map(work).collect()
+    let nothing = work(|m| Some(*m), 0);
+    std::iter::once(nothing).chain(INVERSES.iter().map(|method| work(method.run, size))).collect()
 }
 
-/// Rotation × scale × rotation, the scale smaller and smaller along one axis.
+/// Rotation × diag(1, c^−½, 1/c) × rotation: a matrix of condition c whose three scales are apart.
+fn graded(random: &mut Rng, condition: f64) -> Mat4 {
+    let turns = [(); 2].map(|()| {
+        let (axis, angle) = (direction(random), angle(random));
+        Mat4::from_mat3(transforms::rotation::rodrigues(axis, angle))
+    });
+    let scales = Vec3::new(1.0, condition.sqrt().recip() as f32, condition.recip() as f32);
+    turns[0] * transforms::scale(scales) * turns[1]
+}
+
+/// Matrices of larger and larger condition.
 fn inverse_stability(effort: Effort) -> Vec<Series> {
     let conditions = (0..=11).map(|half| 10f64.powf(f64::from(half) / 2.0));
     let worst = |method: &Method<Invert>, condition: f64| {
         let mut random = effort.random();
         let samples = (0..effort.samples(400)).map(|_| {
-            let turns = [(); 2].map(|()| {
-                Mat4::from_mat3(transforms::rotation::rodrigues(direction(&mut random), angle(&mut random)))
-            });
-            let flat = transforms::scale(Vec3::new(1.0, 1.0, (1.0 / condition) as f32));
-            let (m, scaled) = whole(&(turns[0] * flat * turns[1]));
+            let (m, scaled) = whole(&graded(&mut random, condition));
             inverted(method, &m, matrix::inverse(&scaled).as_ref())
         });
         samples.fold(0.0, f64::max)

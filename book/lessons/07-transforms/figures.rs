@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use anyhow::Context;
 use camera::lookat;
 use common::{Color, DVec3, Image, Mat3, Mat4, Model, Quat, Vec2, Vec3, Vec4, Vec4Swizzles};
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use transforms::affine::{about, rotate_x, rotate_y, rotate_z, shear_x};
 use transforms::rotation::{from_quaternion, quaternion, rodrigues, rodrigues_f64};
 use transforms::{METHODS, normal_matrix, place, projection, scale, translate, viewport};
@@ -377,7 +377,13 @@ fn stretched() -> anyhow::Result<Drawing> {
     let right = normal_matrix(&m).context("the map flattens space")?;
     let draw = |by: Mat3| {
         let light = Vec3::new(0.35, 0.85, 0.4).normalize();
-        let scene = Scene { model: &model, normals: &turned(&model, by), texture: &white(), light };
+        let scene = Scene {
+            model: &model,
+            normals: &turned(&model, by),
+            texture: &white(),
+            wrap: Wrap::Clamp,
+            light,
+        };
         let all = viewport(500.0, 500.0, 0.45) * m;
         cut(&smooth(500, &scene, |point| place(&all, point)), [0, 110], [500, 280])
     };
@@ -417,7 +423,13 @@ fn similar() -> anyhow::Result<Drawing> {
 /// The model from some distances, always as large where z is 0.
 fn distances(distances: &[f32]) -> anyhow::Result<Drawing> {
     let (model, texture) = (model()?, texture()?);
-    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light: Vec3::Z };
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &texture,
+        wrap: Wrap::Clamp,
+        light: Vec3::Z,
+    };
     let zoom = if distances.len() > 2 { 0.36 } else { 0.42 };
     all_beside(distances.iter().map(|&d| {
         let all = viewport(600.0, 600.0, zoom) * projection(d);
@@ -469,7 +481,13 @@ fn floor(height: f32, from: i32, to: i32) -> anyhow::Result<(Model, Image)> {
 fn ghost() -> anyhow::Result<Drawing> {
     let (model, tiles) = floor(-0.5, -16, 16)?;
     let all = viewport(500.0, 500.0, 0.4) * projection(2.0);
-    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &tiles, light: Vec3::Y };
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &tiles,
+        wrap: Wrap::Clamp,
+        light: Vec3::Y,
+    };
     let right = smooth(500, &scene, |point| place(&all, point));
     // The fault: no look at the sign of w.
     let wrong = smooth(500, &scene, |point| {
@@ -587,7 +605,8 @@ fn drift() -> anyhow::Result<Drawing> {
         let turn = Mat4::from_mat3(back * method(METHODS, name)?(Vec3::Y, angle, TURNS));
         let all = viewport(500.0, 500.0, 0.4) * projection(4.0) * turn;
         let normals = turned(&model, normal_matrix(&turn).context("the model is flat")?);
-        let scene = Scene { model: &model, normals: &normals, texture: &texture, light: Vec3::Z };
+        let scene =
+            Scene { model: &model, normals: &normals, texture: &texture, wrap: Wrap::Clamp, light: Vec3::Z };
         Ok(smooth(500, &scene, |point| place(&all, point)))
     }))
 }

@@ -13,4 +13,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     picture: "The head in perspective",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::METHODS_CHART, charts::ROTATIONS_CHART, charts::INVERSES_CHART],
 };

@@ -2,9 +2,9 @@
 
 use anyhow::Context;
 use camera::turntable::turned;
-use camera::{METHODS, View, basis, lookat};
+use camera::{Look, METHODS, View, basis, relative};
 use common::{Color, Image, Mat3, Vec2, Vec3};
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use transforms::{place, projection, viewport};
 
 use crate::figures::picture::{all_beside, method, model, texture};
@@ -67,7 +67,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
         "camera-far",
         "The model and the eye, moved together to 10,000, 100,000 and 1,000,000: there the face is in steps, and \
-         at last in rags.",
+         at last in rags. And once more at 1,000,000, by camera-relative drawing.",
         far,
     ),
     Figure::new(
@@ -96,16 +96,24 @@ impl Shot {
 }
 
 /// The model, moved together with the eye that looks at it.
-fn view(view: View, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
+fn view(look: Look, shot: &Shot, moved: Vec3) -> anyhow::Result<Image> {
     let Shot { eye, center, zoom, light } = *shot;
     let (model, texture, light) = (model()?, texture()?, light.normalize());
-    let view = view(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
-    let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * view;
-    let scene = Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light };
-    Ok(smooth(500, &scene, |point| place(&all, point + moved)))
+    let View { origin, matrix } =
+        look(eye + moved, center + moved, Vec3::Y).context("the eye is at the centre")?;
+    let all = viewport(500.0, 500.0, zoom) * projection(eye.distance(center)) * matrix;
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &texture,
+        wrap: Wrap::Clamp,
+        light,
+    };
+    Ok(smooth(500, &scene, |point| place(&all, point + moved - origin)))
 }
 
 fn views(shots: &[Shot]) -> anyhow::Result<Drawing> {
+    let lookat = *method(METHODS, "lookat")?;
     all_beside(shots.iter().map(|shot| view(lookat, shot, Vec3::ZERO)))
 }
 
@@ -290,7 +298,9 @@ fn pole() -> anyhow::Result<Drawing> {
 
 fn far() -> anyhow::Result<Drawing> {
     let shot = Shot::of_model(Vec3::new(0.5, 0.3, 2.4));
-    all_beside([1e4, 1e5, 1e6].map(|distance| view(lookat, &shot, Vec3::splat(distance))))
+    let lookat = *method(METHODS, "lookat")?;
+    let by = [(lookat, 1e4), (lookat, 1e5), (lookat, 1e6), (relative as Look, 1e6)];
+    all_beside(by.map(|(look, distance)| view(look, &shot, Vec3::splat(distance))))
 }
 
 fn turntable() -> anyhow::Result<Drawing> {

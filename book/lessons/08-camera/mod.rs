@@ -9,8 +9,9 @@ use crate::lessons::Lesson;
 
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: camera::LESSON,
-    methods: "the slides' view matrix, and the right one",
+    methods: "the slides' view matrix, the right one, and one for centres far away",
     picture: "The head from above and the right",
     more_pictures: &[],
     figures: figures::FIGURES,
+    charts: &[charts::CHART],
 };

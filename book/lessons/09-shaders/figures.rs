@@ -97,8 +97,14 @@ fn look(shader: &str, side: u16, levels: u16, light: Vec3) -> anyhow::Result<Ima
     let (model, texture) = (model()?, texture()?);
     let to_clip = to_clip(Vec3::new(1.0, 1.0, 2.0), 0.42)?;
     let normals = corner_normals(&model);
-    let uniforms =
-        Uniforms { model: &model, normals: &normals, texture: Some(&texture), light, to_clip, levels };
+    let uniforms = Uniforms {
+        normals: &normals,
+        texture: Some(&texture),
+        light,
+        to_clip,
+        levels,
+        ..Uniforms::new(&model)
+    };
     let mut target = Framebuffer::new(canvas(side));
     draw(shader, &uniforms, &mut target)?;
     Ok(target.image)

@@ -14,4 +14,5 @@ pub(crate) const LESSON: Lesson = Lesson {
         flags: &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"],
     }],
     figures: figures::FIGURES,
+    charts: &[charts::METHODS_CHART, charts::WHITE_CHART, charts::TEXTURED_CHART],
 };

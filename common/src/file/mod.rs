@@ -97,14 +97,7 @@ impl Image {
     /// One that names the file where it has another ending, its folder does not exist, the system refuses,
     /// or the picture has no pixels.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        self.write_as(path, Encoding::of(path)?)
-    }
-
-    /// As [`write`](Self::write), in an encoding of your choice whatever the file's name.
-    ///
-    /// # Errors
-    /// As [`write`](Self::write).
-    pub fn write_as(&self, path: &Path, encoding: Encoding) -> Result<(), Error> {
+        let encoding = Encoding::of(path)?;
         let bytes = self.encode(encoding).map_err(|source| Error::Encode { path: path.into(), source })?;
         write_whole(path, &bytes)
     }

@@ -19,6 +19,10 @@ pub(super) fn decode(file: &[u8]) -> Result<Image, PictureError> {
     // The least that it can take, before anything is unpacked.
     check_size(width, height, Format::Gray)?;
     let mut reader = decoder.read_info()?;
+    // The decoder counts on whole colours, and panics otherwise: https://github.com/image-rs/image-png/issues/694.
+    if reader.info().palette.as_ref().is_some_and(|palette| !palette.len().is_multiple_of(3)) {
+        return Err(PictureError::Malformed("its palette ends within a colour"));
+    }
     let (color, depth) = reader.output_color_type();
     let format = match color {
         ColorType::Grayscale => Format::Gray,

@@ -166,9 +166,9 @@ fn pack(row: &[u8], size: usize, file: &mut Vec<u8>) {
         let count = 1 + pairs.take_while(|pair| (pair[0] == pair[1]) == run).count();
         file.push((if run { PACKET } else { 0 } + count - 1) as u8);
         if run {
-            file.extend(*first)
+            file.extend(*first);
         } else {
-            file.extend(rest[..count].concat())
+            file.extend(rest[..count].concat());
         }
         rest = &rest[count..];
         // A full packet may have ended anywhere: what comes next may be a run again.

@@ -8,73 +8,22 @@
 //! The file is gone through once. Elements may be named before they are there, so faces are kept as numbers and
 //! looked at in the end; what is wrong with one is found out from its text, for the first one.
 
+mod building;
+mod contents;
+mod elements;
+mod faults;
 mod polygon;
 mod words;
 
-use glam::{DVec3, Vec2, Vec3};
-
-use crate::model::{Attributes, Materials, Model, Skipped};
+use crate::model::{Attributes, Model};
 use crate::placement::Placement;
 use crate::{Error, file, kind};
-use polygon::{CORNER_LIMIT, Cutter};
-use words::{line_number, shown};
+use contents::Contents;
 
 pub(crate) use words::Words;
 
 /// The longest file that is read, in bytes.
 const FILE_LIMIT: u64 = 256 << 20;
-
-/// The most memory that a model takes besides the file, in bytes, as [`Contents::memory`] counts it: some two
-/// million triangles with all attributes, or six million without. A vector that grows is copied into one twice as
-/// large, so that at most three times this is taken for a moment.
-const MEMORY_LIMIT: usize = 512 << 20;
-
-/// The most materials of a file that are kept in mind.
-const MATERIAL_LIMIT: usize = 256;
-
-/// The three lists of an OBJ file, in the order in which a face's corner names them: `position/uv/normal`.
-const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
-
-/// The numbers of an element of each list: how many there may be, and how many there must.
-const NUMBERS: [(&str, usize, usize); 3] = [("v", 3, 3), ("vt", 2, 1), ("vn", 3, 3)];
-
-/// A corner's places in the three lists, counted from 1.
-type Corner = [u32; 3];
-
-/// The place of what is not named.
-const NONE: u32 = 0;
-
-/// The place of what cannot be there: before the first.
-const NOWHERE: u32 = u32::MAX;
-
-/// A face, or a polyline.
-struct Element {
-    /// Where its line begins, in bytes.
-    offset: u32,
-    /// Behind its last corner. None are kept of an element with a corner that is no corner.
-    end: u32,
-}
-
-/// What is kept of a file while it is read.
-#[derive(Default)]
-struct Contents<'a> {
-    /// NaN in one that is not made of finite numbers.
-    positions: Vec<DVec3>,
-    /// The same.
-    uvs: Vec<Vec2>,
-    /// 0, which is no direction either.
-    normals: Vec<Vec3>,
-    /// How many normals are not made of finite numbers, and where the first of them is.
-    bad_normals: (usize, Option<usize>),
-    faces: Vec<Element>,
-    /// The faces' corners: their places in each list, where that is wanted.
-    places: [Vec<u32>; 3],
-    polylines: Vec<Element>,
-    /// The polylines' corners: their places among the positions.
-    bends: Vec<u32>,
-    libraries: Vec<&'a [u8]>,
-    materials: Vec<&'a [u8]>,
-}
 
 impl Model {
     /// Reads an OBJ file: positions, `l` elements, and what `wanted` asks for. A file of up to 256 MiB will do
@@ -124,424 +73,12 @@ impl Model {
     }
 }
 
-impl<'a> Contents<'a> {
-    fn read(bytes: &'a [u8], wanted: Attributes) -> Result<Self, String> {
-        let mut contents = Self::default();
-        let mut words = Words::new(bytes);
-        let mut material = None;
-        loop {
-            let offset = words.offset();
-            match words.word() {
-                Some(b"v") => contents.positions.push(numbers(&mut words, 0).map_or(DVec3::NAN, DVec3::from)),
-                Some(b"vt") if wanted.uvs => {
-                    let uv = numbers(&mut words, 1).map(|[u, v, _]| Vec2::new(u as f32, v as f32));
-                    contents.uvs.push(uv.unwrap_or(Vec2::NAN));
-                }
-                Some(b"vn") if wanted.normals => {
-                    let normal = numbers(&mut words, 2).map(|normal| DVec3::from(normal).as_vec3());
-                    if normal.is_none() {
-                        let (count, first) = contents.bad_normals;
-                        contents.bad_normals = (count + 1, first.or(Some(offset)));
-                    }
-                    contents.normals.push(normal.unwrap_or_default());
-                }
-                Some(b"f") => {
-                    contents.face(&mut words, offset, wanted);
-                    contents.materials.extend(material.take());
-                }
-                Some(b"l") => contents.polyline(&mut words, offset),
-                Some(b"mtllib") if wanted.uvs => {
-                    let name = words.rest();
-                    if contents.libraries.len() < MATERIAL_LIMIT && !contents.libraries.contains(&name) {
-                        contents.libraries.push(name);
-                    }
-                }
-                Some(b"usemtl") if wanted.uvs => {
-                    let name = words.rest();
-                    let seen =
-                        contents.materials.len() >= MATERIAL_LIMIT || contents.materials.contains(&name);
-                    material = Some(name).filter(|_| !seen);
-                }
-                _ => {}
-            }
-            if contents.memory() > MEMORY_LIMIT {
-                let line = line_number(bytes, offset);
-                let limit = MEMORY_LIMIT >> 20;
-                return Err(format!("line {line}: up to here the model takes the {limit} MiB that it may"));
-            }
-            if !words.next_line() {
-                return Ok(contents);
-            }
-        }
-    }
-
-    /// An upper bound of the bytes that these contents and the model made of them take together, with each
-    /// element used: itself, its new place, and what it becomes. A face of n corners becomes n − 2 triangles.
-    fn memory(&self) -> usize {
-        let [positions, uvs, normals] = self.places.each_ref().map(Vec::len);
-        self.positions.len() * (24 + 4 + 24 + 12)
-            + self.uvs.len() * (8 + 4 + 8)
-            + self.normals.len() * (12 + 4 + 12)
-            + (positions + uvs + normals) * (4 + 12)
-            + (self.faces.len() + self.polylines.len()) * 8
-            + self.bends.len() * (4 + 8)
-    }
-
-    /// How many elements each list has.
-    fn lengths(&self) -> [usize; 3] {
-        [self.positions.len(), self.uvs.len(), self.normals.len()]
-    }
-
-    /// Keeps the face of a line.
-    fn face(&mut self, words: &mut Words, offset: usize, wanted: Attributes) {
-        let begin = self.places[0].len();
-        let (lengths, used) = (self.lengths(), used(wanted));
-        while let Some(word) = words.word() {
-            match corner(word, used) {
-                Ok(indices) => {
-                    for kind in (0..3).filter(|&kind| used[kind]) {
-                        self.places[kind].push(place(indices[kind], lengths[kind]));
-                    }
-                }
-                Err(_) => {
-                    self.places.iter_mut().for_each(|places| places.truncate(begin));
-                    break;
-                }
-            }
-        }
-        self.faces.push(Element { offset: offset as u32, end: self.places[0].len() as u32 });
-    }
-
-    /// Keeps the polyline of a line.
-    fn polyline(&mut self, words: &mut Words, offset: usize) {
-        let begin = self.bends.len();
-        while let Some(word) = words.word() {
-            match corner(word, [true, false, false]) {
-                Ok([index, ..]) => self.bends.push(place(index, self.positions.len())),
-                Err(_) => {
-                    self.bends.truncate(begin);
-                    break;
-                }
-            }
-        }
-        self.polylines.push(Element { offset: offset as u32, end: self.bends.len() as u32 });
-    }
-
-    /// Whether a face's corners can be used: at least three, all there, and finite.
-    fn is_good(&self, corners: &[Corner]) -> bool {
-        corners.len() >= 3 && corners.iter().all(|corner| self.fault(corner).is_none())
-    }
-
-    /// The list in which a corner has a place that is not there or not finite.
-    fn fault(&self, corner: &Corner) -> Option<usize> {
-        let [position, uv, _] = corner.map(|place| (place as usize).wrapping_sub(1));
-        let is_there = [
-            self.positions.get(position).is_some_and(|position| position.is_finite()),
-            corner[1] == NONE || self.uvs.get(uv).is_some_and(|uv| uv.is_finite()),
-            corner[2] as usize <= self.normals.len(),
-        ];
-        is_there.iter().position(|there| !there)
-    }
-
-    /// Why a face cannot be used, with its line.
-    fn why(&self, bytes: &[u8], face: &Element, corners: &[Corner], wanted: Attributes) -> String {
-        let mut words = Words::at(bytes, face.offset as usize);
-        words.word();
-        let mut count = 0;
-        let reason = loop {
-            let Some(word) = words.word() else {
-                break match count {
-                    0..3 => format!("a face needs 3 corners, this has {count}"),
-                    _ => {
-                        format!("a face that is not convex may have {CORNER_LIMIT} corners, this has {count}")
-                    }
-                };
-            };
-            match corner(word, used(wanted)) {
-                Err(reason) => break reason,
-                Ok(indices) => {
-                    if let Some(kind) = corners.get(count).and_then(|corner| self.fault(corner)) {
-                        let index = indices[kind].unwrap_or_default();
-                        break format!(
-                            "corner `{}`: {}",
-                            shown(word),
-                            self.lack(bytes, corners[count][kind], kind, index)
-                        );
-                    }
-                }
-            }
-            count += 1;
-        };
-        format!("line {}: {reason}", line_number(bytes, face.offset as usize))
-    }
-
-    /// What is wrong with the place of a list that an index names.
-    fn lack(&self, bytes: &[u8], place: u32, kind: usize, index: i64) -> String {
-        let (name, length) = (KINDS[kind], self.lengths()[kind]);
-        if place as usize > length || place == NONE {
-            return format!("there is no {name} {index} among {length}");
-        }
-        let mut words = Words::new(bytes);
-        let mut left = place;
-        loop {
-            let offset = words.offset();
-            if words.word() == Some(NUMBERS[kind].0.as_bytes()) {
-                left -= 1;
-                if left == 0 {
-                    let line = line_number(bytes, offset);
-                    return format!("{name} {index}, in line {line}: {}", no_numbers(&mut words, kind));
-                }
-            }
-            if !words.next_line() {
-                return format!("{name} {index} is not made of finite numbers");
-            }
-        }
-    }
-
-    /// The model of the good faces and lines.
-    fn model(&self, bytes: &[u8], wanted: Attributes, placement: &Placement) -> Result<Model, String> {
-        let mut building = Building::new(self, wanted);
-        let mut cutter = Cutter::new();
-        let mut skipped: Option<Skipped> = None;
-        let (mut begin, mut corners, mut points) = (0, Vec::new(), Vec::new());
-        for face in &self.faces {
-            let end = face.end as usize;
-            corners.clear();
-            corners.extend(
-                (begin..end)
-                    .map(|n| self.places.each_ref().map(|places| places.get(n).copied().unwrap_or(NONE))),
-            );
-            begin = end;
-            let good = self.is_good(&corners) && {
-                points.clear();
-                points.extend(corners.iter().map(|corner| self.positions[corner[0] as usize - 1]));
-                let mut note = |triangle: [u32; 3]| building.triangle(triangle.map(|n| corners[n as usize]));
-                cutter.cut(&points, &mut note).is_ok()
-            };
-            if good {
-                building.note_lacks(&corners, face.offset);
-            } else {
-                let why = || self.why(bytes, face, &corners, wanted);
-                let first = || Skipped { count: 0, of: self.faces.len(), first: why() };
-                skipped.get_or_insert_with(first).count += 1;
-            }
-        }
-        let lines_left_out = self.lines(&mut building);
-        let Building { model, .. } = &building;
-        if model.triangles.is_empty() && model.lines.is_empty() {
-            return Err(match &skipped {
-                None => "there is no face in it; is it an OBJ file?".into(),
-                Some(Skipped { of, first, .. }) => {
-                    format!("none of its {of} faces can be used; the first, {first}")
-                }
-            });
-        }
-        let mut remarks = Vec::new();
-        if let (count, Some(offset)) = self.bad_normals {
-            let mut words = Words::at(bytes, offset);
-            words.word();
-            let (line, reason) = (line_number(bytes, offset), no_numbers(&mut words, 2));
-            let of = self.normals.len();
-            remarks
-                .push(format!("{count} of {of} normals have no direction; the first, line {line}: {reason}"));
-        }
-        if lines_left_out > 0 {
-            let of = self.polylines.len();
-            remarks.push(format!(
-                "left out {lines_left_out} of {of} `l` lines: a corner is missing or not finite"
-            ));
-        }
-        let text =
-            |names: &[&[u8]]| names.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
-        let materials = Materials { libraries: text(&self.libraries), used: text(&self.materials) };
-        Ok(Model { skipped, remarks, materials, ..building.finish(bytes, placement) })
-    }
-
-    /// Adds the good polylines; returns how many are not.
-    fn lines(&self, building: &mut Building) -> usize {
-        let (mut begin, mut left_out) = (0, 0);
-        for polyline in &self.polylines {
-            let bends = &self.bends[begin..polyline.end as usize];
-            begin = polyline.end as usize;
-            if bends.len() >= 2 && bends.iter().all(|&bend| self.fault(&[bend, NONE, NONE]).is_none()) {
-                bends.windows(2).for_each(|pair| building.line([pair[0], pair[1]]));
-            } else {
-                left_out += 1;
-            }
-        }
-        left_out
-    }
-}
-
-/// A model to which triangles are added.
-struct Building<'a> {
-    contents: &'a Contents<'a>,
-    /// Which lists are used, and no face lacks so far.
-    used: [bool; 3],
-    /// Where the first face begins that lacks something of a list.
-    lacks: [Option<u32>; 3],
-    /// The place in the model of each element of each list.
-    renamed: [Vec<u32>; 3],
-    /// The model's positions before they are placed.
-    positions: Vec<DVec3>,
-    model: Model,
-}
-
-impl<'a> Building<'a> {
-    fn new(contents: &'a Contents, wanted: Attributes) -> Self {
-        let used = used(wanted);
-        let renamed =
-            [0, 1, 2].map(|kind| vec![NOWHERE; if used[kind] { contents.lengths()[kind] } else { 0 }]);
-        Self { contents, used, lacks: [None; 3], renamed, positions: Vec::new(), model: Model::default() }
-    }
-
-    /// The place in the model of an element of the file, which enters it with its first use.
-    fn enter<T: Copy>(renamed: &mut [u32], place: u32, from: &[T], to: &mut Vec<T>) -> u32 {
-        let at = place as usize - 1;
-        if renamed[at] == NOWHERE {
-            renamed[at] = to.len() as u32;
-            to.push(from[at]);
-        }
-        renamed[at]
-    }
-
-    /// Adds a triangle. What it lacks is noted afterwards; until then it has the first element instead.
-    fn triangle(&mut self, corners: [Corner; 3]) {
-        let Self { contents, renamed: [positions, uvs, normals], model, .. } = self;
-        model
-            .triangles
-            .push(corners.map(|c| Self::enter(positions, c[0], &contents.positions, &mut self.positions)));
-        if self.used[1] && corners.iter().all(|c| c[1] != NONE) {
-            model.uv_indices.push(corners.map(|c| Self::enter(uvs, c[1], &contents.uvs, &mut model.uvs)));
-        }
-        if self.used[2] && corners.iter().all(|c| c[2] != NONE) {
-            model
-                .normal_indices
-                .push(corners.map(|c| Self::enter(normals, c[2], &contents.normals, &mut model.normals)));
-        }
-    }
-
-    /// Notes what a good face lacks: the model is without it then.
-    fn note_lacks(&mut self, corners: &[Corner], offset: u32) {
-        for kind in [1, 2] {
-            if self.used[kind] && corners.iter().any(|corner| corner[kind] == NONE) {
-                self.used[kind] = false;
-                self.lacks[kind] = Some(offset);
-            }
-        }
-    }
-
-    /// Adds a line between two positions.
-    fn line(&mut self, ends: [u32; 2]) {
-        let renamed = &mut self.renamed[0];
-        let ends = ends.map(|end| Self::enter(renamed, end, &self.contents.positions, &mut self.positions));
-        self.model.lines.push(ends);
-    }
-
-    fn finish(self, bytes: &[u8], placement: &Placement) -> Model {
-        let Self { used, lacks, positions, mut model, .. } = self;
-        let line = |offset: Option<u32>| offset.map(|offset| line_number(bytes, offset as usize));
-        if !used[1] {
-            (model.uvs, model.uv_indices, model.without_uvs) = (Vec::new(), Vec::new(), line(lacks[1]));
-        }
-        if !used[2] {
-            (model.normals, model.normal_indices, model.without_normals) =
-                (Vec::new(), Vec::new(), line(lacks[2]));
-        }
-        model.place(&positions, placement);
-        model
-    }
-}
-
-/// Which of the three lists are used.
-fn used(wanted: Attributes) -> [bool; 3] {
-    [true, wanted.uvs, wanted.normals]
-}
-
-/// The numbers of an element of a list, the last ones 0 if they may be left out; `None` unless all are finite,
-/// as `f32` too.
-fn numbers(words: &mut Words, kind: usize) -> Option<[f64; 3]> {
-    let (_, most, least) = NUMBERS[kind];
-    let mut numbers = [0.0; 3];
-    for (n, number) in numbers[..most].iter_mut().enumerate() {
-        *number = match words.word() {
-            Some(word) => text(word)?.parse().ok()?,
-            None if n >= least => 0.0,
-            None => return None,
-        };
-        if !(*number as f32).is_finite() {
-            return None;
-        }
-    }
-    Some(numbers)
-}
-
-/// What is wrong with the numbers of an element of a list.
-fn no_numbers(words: &mut Words, kind: usize) -> String {
-    let (_, most, least) = NUMBERS[kind];
-    for n in 0..most {
-        let Some(word) = words.word() else {
-            return format!("it needs {least} numbers and has {n}");
-        };
-        let number = text(word).and_then(|word| word.parse::<f64>().ok());
-        let shown = shown(word);
-        match number {
-            Some(number) if (number as f32).is_finite() => {}
-            Some(number) if number.is_finite() => return format!("`{shown}` is too large"),
-            Some(_) => return format!("`{shown}` is not finite"),
-            None if word.contains(&b',') => {
-                return format!(
-                    "`{shown}` has a comma: write a point in a number, and a blank between numbers"
-                );
-            }
-            None if word.iter().any(|byte| byte.eq_ignore_ascii_case(&b'd')) => {
-                return format!("`{shown}` is not a number: an exponent is written with an E");
-            }
-            None => return format!("`{shown}` is not a number"),
-        }
-    }
-    "it is not made of finite numbers".into()
-}
-
-/// A word that is text, as all numbers are.
-fn text(word: &[u8]) -> Option<&str> {
-    std::str::from_utf8(word).ok()
-}
-
-/// The indices that a corner such as `3`, `3/1`, `3//2` or `-1/-1/-1` names in the lists that are used. Of the
-/// others, nothing is looked at.
-fn corner(word: &[u8], used: [bool; 3]) -> Result<[Option<i64>; 3], String> {
-    let mut indices = [None; 3];
-    let mut parts = word.split(|&byte| byte == b'/');
-    if word.starts_with(b"/") || parts.clone().count() > 3 {
-        return Err(format!("`{}` is not a corner", shown(word)));
-    }
-    for (index, used) in indices.iter_mut().zip(used) {
-        let Some(part) = parts.next() else { break };
-        if used && !part.is_empty() {
-            let number = text(part).and_then(|part| part.parse().ok());
-            *index = Some(
-                number
-                    .ok_or_else(|| format!("corner `{}`: `{}` is not an index", shown(word), shown(part)))?,
-            );
-        }
-    }
-    Ok(indices)
-}
-
-/// The place in a list of that length so far that an index names: a negative one counts back from its end.
-fn place(index: Option<i64>, length: usize) -> u32 {
-    let place = match index {
-        None => return NONE,
-        Some(index) if index < 0 => index.saturating_add(length as i64 + 1),
-        Some(index) => index,
-    };
-    u32::try_from(place).ok().filter(|&place| place != NONE).unwrap_or(NOWHERE)
-}
-
 #[cfg(test)]
 mod tests {
+    use glam::{DVec3, Vec2, Vec3};
+
     use super::*;
+    use crate::model::{Materials, Skipped};
     use crate::placement::Up;
 
     const ALL: Attributes = Attributes { normals: true, uvs: true };
@@ -602,6 +139,14 @@ mod tests {
             ("f 1 2", "line 9: a face needs 3 corners, this has 2"),
             ("f", "line 9: a face needs 3 corners, this has 0"),
             ("f 1 2 x", "line 9: corner `x`: `x` is not an index"),
+            (
+                "f 1, 2, 3",
+                "line 9: corner `1,`: `1,` is not an index: write blanks between corners, and no comma",
+            ),
+            (
+                "f 1,2,3",
+                "line 9: corner `1,2,3`: `1,2,3` is not an index: write blanks between corners, and no comma",
+            ),
             ("f 1 2 /1", "line 9: `/1` is not a corner"),
             ("f 1 2 3/1/1/1", "line 9: `3/1/1/1` is not a corner"),
             ("f 1/1 2/1 3/9", "line 9: corner `3/9`: there is no texture coordinate 9 among 2"),
@@ -658,6 +203,11 @@ mod tests {
             ("0.8, 0.8, 0", &format!("`0.8,` {comma}")),
             ("1.0D-01 0 0", "`1.0D-01` is not a number: an exponent is written with an E"),
             ("0 0 \u{661}", "`\u{661}` is not a number"),
+            // As C libraries of Windows write what is not finite.
+            ("-nan(ind) 0 0", "`-nan(ind)` is not a number"),
+            ("1.#QNAN 0 0", "`1.#QNAN` is not a number"),
+            ("0 0 -1.#IND", "`-1.#IND` is not a number"),
+            ("1.#INF00e+000 0 0", "`1.#INF00e+000` is not a number"),
         ] {
             let model = read(&format!("v {bad}\nf 1 2 3\nf 1 2 5"), NONE).unwrap();
             assert_eq!(model.triangles.len(), 1);
@@ -722,11 +272,15 @@ mod tests {
         assert_eq!(model.positions(), [Vec3::ZERO, Vec3::X, Vec3::Y]);
         assert_eq!(model.faces().len(), 0);
         assert_eq!(model.remarks(), ["left out 3 of 4 `l` lines: a corner is missing or not finite"]);
+        assert_eq!(
+            read("l 1 9\nl 4", NONE).unwrap_err(),
+            "none of its 2 `l` lines can be used: a corner is missing or not finite, and it has no faces"
+        );
     }
 
     #[test]
     fn a_model_knows_its_materials() {
-        let text = "mtllib a b.mtl\nmtllib c.mtl # c\nmtllib c.mtl\nusemtl unused\nusemtl  red \nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3";
+        let text = "mtllib \nmtllib a b.mtl\nmtllib c.mtl # c\nmtllib c.mtl\nusemtl unused\nusemtl  red \nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3";
         let model = read(text, ALL).unwrap();
         assert_eq!(model.materials().libraries, ["a b.mtl", "c.mtl"]);
         assert_eq!(model.materials().used, ["red", "blue"]);
@@ -781,6 +335,12 @@ mod tests {
         for (got, expected) in near.positions().iter().zip([Vec3::ZERO, Vec3::X, Vec3::ONE]) {
             assert!((*got - expected).length() < 1e-8, "{got}");
         }
+        // An f32 is every half there: about this point, its roundings show.
+        let shift = DVec3::new(0.1, 0.2, 0.3);
+        let origin = corner + shift;
+        let near = Model::parse_placed(text.as_bytes(), NONE, &Placement { origin, ..Placement::default() })
+            .unwrap();
+        assert!((near.positions()[0].as_dvec3() + shift).length() < 1e-7, "{}", near.positions()[0]);
         let far = Model::parse(text.as_bytes(), NONE).unwrap();
         assert_eq!(far.positions()[0], corner.as_vec3());
         assert_eq!(far.reach(), 4_649_778.0);

@@ -2,7 +2,7 @@
 //!
 //! A line ends in a line feed, a carriage return, or both. A backslash at its end joins the next line to it,
 //! blanks behind the backslash or not; in a comment only without blanks, as a folder's name may end a comment.
-//! A comment goes from `#` to the end of the line. Only names and comments may hold other than ASCII, so any
+//! A comment goes from `#` to the end of the line, also where the `#` ends a word. Only names and comments may hold other than ASCII, so any
 //! encoding that has ASCII in it will do.
 
 /// What ends a word but no line.
@@ -49,7 +49,8 @@ impl<'a> Words<'a> {
         let begin = self.at;
         while let Some(&byte) = self.bytes.get(self.at) {
             let ends = is_blank(byte)
-                || matches!(byte, b'\n' | b'\r' | b'#')
+                || matches!(byte, b'\n' | b'\r')
+                || byte == b'#' && !self.is_in_a_number()
                 || byte == b'\\' && self.joined(self.at, true).is_some();
             if ends {
                 break;
@@ -57,6 +58,14 @@ impl<'a> Words<'a> {
             self.at += 1;
         }
         (begin < self.at).then(|| &self.bytes[begin..self.at])
+    }
+
+    /// Whether a `#` begins no comment: C libraries of Windows wrote `1.#INF`, `-1.#IND`, `1.#QNAN` for what is not
+    /// finite, and what is left of those without a comment would be a number.
+    fn is_in_a_number(&self) -> bool {
+        let behind = &self.bytes[self.at + 1..];
+        self.bytes[..self.at].ends_with(b".")
+            && ["INF", "IND", "QNAN", "SNAN"].iter().any(|name| behind.starts_with(name.as_bytes()))
     }
 
     /// What is left of this line but blanks around it and a comment: a name, which may have blanks in it.

@@ -106,7 +106,7 @@ fn view(model: &Model, origin: DVec3) -> Option<String> {
     if let Some(fit) = model.fit() {
         let [x, y, z] = fit.size.to_array().map(rounded);
         let (scale, up) = (rounded(fit.scale), if fit.up == Up::Y { "y" } else { "z" });
-        let middle = fit.middle.to_array().map(rounded).join(", ");
+        let middle = fit.middle.to_array().map(|at| placed(at, fit.size.max_element())).join(", ");
         return Some(format!("{x} x {y} x {z} units about ({middle}), {up} up, scaled by {scale}"));
     }
     let reach = model.reach();
@@ -120,6 +120,18 @@ fn view(model: &Model, origin: DVec3) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// A coordinate, in as many digits as say where something of that size is: a point to look at, however far away.
+fn placed(coordinate: f64, size: f64) -> String {
+    let all = rounded(coordinate);
+    let exact = |text: &String| text.parse() == Ok(coordinate);
+    if exact(&all) || coordinate.abs() >= 1e15 || size == 0.0 {
+        return all;
+    }
+    let decimals = (2.0 - size.log10().floor()).clamp(0.0, 9.0) as usize;
+    let text = format!("{coordinate:.decimals$}");
+    if decimals == 0 { text } else { text.trim_end_matches('0').trim_end_matches('.').into() }
 }
 
 /// A number in three digits.
@@ -213,6 +225,26 @@ mod tests {
 
         let head = TexturedModelFlags { model: ModelFlag { file: None, fit: None }, ..flags };
         assert!(head.read(Attributes::default()).unwrap_err().to_string().contains("cannot read none.png"));
+    }
+
+    /// What is told of where a model was is enough to look at it there: off by less than a hundredth of its size.
+    #[test]
+    fn the_middle_is_told_in_as_many_digits_as_it_needs() {
+        for (coordinate, size, told) in [
+            (4_649_777.31, 1.0, "4649777.31"),
+            (500_000.87, 1.0, "500000.87"),
+            (212.9, 1.0, "212.9"),
+            (0.0, 1.0, "0"),
+            (1_234_567.0, 90_000.0, "1234567"),
+            (0.000_123_4, 0.002, "0.00012"),
+            (-12.345_678, 0.05, "-12.3457"),
+            (1e30, 1e29, "1.00e30"),
+            (5.0, 0.0, "5"),
+        ] {
+            assert_eq!(placed(coordinate, size), told);
+            let off = (told.parse::<f64>().unwrap() - coordinate).abs();
+            assert!(off <= size / 100.0, "{told}");
+        }
     }
 
     #[test]

@@ -22,15 +22,8 @@ impl Output {
         Self { shared, name }
     }
 
-    /// The file that the picture is to go to, if one is named.
-    #[must_use]
-    pub fn file(&self) -> Option<&Path> {
-        self.shared.out.as_deref()
-    }
-
     /// A black picture of the size asked for, or else of the program's own.
-    #[must_use]
-    pub fn canvas<P: Program>(&self, program: &P) -> Image {
+    pub(super) fn canvas<P: Program>(&self, program: &P) -> Image {
         let (width, height) = self.shared.size.unwrap_or_else(|| program.size());
         Image::new(width, height, Format::Rgb)
     }
@@ -119,8 +112,8 @@ impl Output {
 
     /// The file that `--out` names, or else a TGA and a PNG of that name in the folder `out/`, which is made.
     fn paths(&self, name: &str) -> anyhow::Result<Vec<PathBuf>> {
-        if let Some(path) = self.file() {
-            return Ok(vec![path.to_path_buf()]);
+        if let Some(path) = &self.shared.out {
+            return Ok(vec![path.clone()]);
         }
         let reason = if Path::new("out").is_file() { ": there is a file of that name" } else { "" };
         std::fs::create_dir_all("out").with_context(|| format!("cannot create the folder out/{reason}"))?;
@@ -148,7 +141,7 @@ fn numbered(path: &Path, number: u16) -> PathBuf {
 }
 
 /// Whether two names are those of one file, there or not.
-fn is_same(a: &Path, b: &Path) -> bool {
+pub(super) fn is_same(a: &Path, b: &Path) -> bool {
     let place = |path: &Path| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         Some((folder.canonicalize().ok()?, path.file_name()?.to_os_string()))

@@ -15,10 +15,11 @@ const FILE_LIMIT: u64 = 16 << 20;
 /// PNG. Where there is none, a checker, and the line says why.
 pub(super) fn own(model: &Path, materials: &Materials) -> (Image, String) {
     let folder = model.parent().unwrap_or(Path::new(""));
-    let found = name(folder, materials).and_then(|name| {
+    let found = name(folder, materials).and_then(|(name, count)| {
         let path = within(folder, &name)?;
         let texture = Image::read(&path).map_err(|error| error.to_string())?;
-        Ok((texture, format!("its texture is {}", shown(&path))))
+        let more = if count > 1 { format!(", the first of {count}: one is drawn") } else { String::new() };
+        Ok((texture, format!("its texture is {}{more}", shown(&path))))
     });
     found.unwrap_or_else(|why| {
         (checker(), format!("drawn with a checker, as {why}; --texture FILE gives it another"))
@@ -35,8 +36,8 @@ fn checker() -> Image {
     image
 }
 
-/// The name of the texture, as a file of materials has it; or why there is none.
-fn name(folder: &Path, materials: &Materials) -> Result<String, String> {
+/// The name of the texture, as a file of materials has it, and of how many it is the first; or why there is none.
+fn name(folder: &Path, materials: &Materials) -> Result<(String, usize), String> {
     let mut maps = Vec::new();
     let mut unread = None;
     for library in &materials.libraries {
@@ -57,12 +58,18 @@ fn name(folder: &Path, materials: &Materials) -> Result<String, String> {
             }
         }
     }
-    let used = materials.used.iter().find_map(|used| maps.iter().find(|(material, _)| material == used));
-    let first = maps.first().filter(|_| materials.used.is_empty());
-    match used.or(first) {
-        Some((_, map)) => Ok(map.clone()),
-        None => Err(unread.unwrap_or_else(|| "it names none".into())),
-    }
+    let map_of = |used: &String| maps.iter().find(|(material, _)| material == used);
+    let mut names: Vec<&str> = if materials.used.is_empty() {
+        maps.iter().take(1).map(|(_, name)| name.as_str()).collect()
+    } else {
+        materials.used.iter().filter_map(map_of).map(|(_, name)| name.as_str()).collect()
+    };
+    let Some(first) = names.first().map(|&first| first.to_string()) else {
+        return Err(unread.unwrap_or_else(|| "it names none".into()));
+    };
+    names.sort_unstable();
+    names.dedup();
+    Ok((first, names.len()))
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, String> {
@@ -78,7 +85,12 @@ fn maps_of(bytes: &[u8]) -> Vec<(String, String)> {
     loop {
         match words.word() {
             Some(b"newmtl") => material = text(words.rest()),
-            Some(b"map_Kd") => maps.push((material.clone(), map(&text(words.rest())).into())),
+            Some(b"map_Kd") => {
+                let name = map(&text(words.rest())).to_string();
+                if !name.is_empty() {
+                    maps.push((material.clone(), name));
+                }
+            }
             _ => {}
         }
         if !words.next_line() {
@@ -89,16 +101,19 @@ fn maps_of(bytes: &[u8]) -> Vec<(String, String)> {
 
 /// The name of a map without the options before it, such as `-s 2 2 1`, `-clamp on`.
 fn map(mut text: &str) -> &str {
-    let is_value = |word: &str| matches!(word, "on" | "off") || word.parse::<f64>().is_ok();
-    let mut in_options = false;
-    while let Some((word, rest)) = text.split_once(char::is_whitespace) {
-        let is_option = word.starts_with('-') && !is_value(word);
-        if !(is_option || in_options && is_value(word)) {
-            break;
+    let is_number_or_switch = |word: &str| matches!(word, "on" | "off") || word.parse::<f64>().is_ok();
+    let mut option = None;
+    loop {
+        let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+        let is_value = is_number_or_switch(word)
+            || option == Some("-imfchan") && matches!(word, "r" | "g" | "b" | "m" | "l" | "z");
+        if word.starts_with('-') && !is_value {
+            option = Some(word);
+        } else if !(option.is_some() && is_value) {
+            return text;
         }
-        (in_options, text) = (true, rest.trim_start());
+        text = rest.trim_start();
     }
-    text
 }
 
 /// The path of a file that is named from a folder, if it is there and does not lead out of the folder.
@@ -135,6 +150,10 @@ mod tests {
             ("-s 2 2 1 -o .5 0 -clamp on a.png", "a.png"),
             ("-mm 0 1 dir\\a b.png", "dir\\a b.png"),
             ("-bm 1.5 7 up.png", "up.png"),
+            ("-imfchan r -texres 512 b.png", "b.png"),
+            ("-blendu off -mm -0.5 1 on.png", "on.png"),
+            ("7", "7"),
+            ("-s 1 1 1", ""),
             ("", ""),
         ] {
             assert_eq!(map(text), name, "{text}");
@@ -158,7 +177,7 @@ mod tests {
         fs::write(folder.join("a.jpg"), b"\xff\xd8\xff").unwrap();
         let materials = "newmtl plain\nKd 1 1\nnewmtl in\n map_Kd -s 1 1 1 maps\\in side.png # c\nnewmtl out\nmap_Kd ../out.png\n\
                          newmtl far\nmap_Kd /etc/a.png\nnewmtl gone\nmap_Kd gone.png\nnewmtl jpg\nmap_Kd a.jpg\nnewmtl half\nmap_Kd half.png\n\
-                         newmtl drive\nmap_Kd C:\\a.png";
+                         newmtl drive\nmap_Kd C:\\a.png\nnewmtl bare\nmap_Kd\nmap_Kd -s 1 1 1";
         fs::write(folder.join("a b.mtl"), materials).unwrap();
         fs::write(folder.join("c.mtl"), "newmtl c\n").unwrap();
         for (library, used, said) in [
@@ -166,6 +185,8 @@ mod tests {
             ("c.mtl", &["in"], "drawn with a checker, as it names none; --texture FILE gives it another"),
             ("a b.mtl", &["plain"], "as it names none;"),
             ("a b.mtl", &[], "its texture is "),
+            ("a b.mtl", &["plain", "in", "gone", "in"], "in side.png, the first of 2: one is drawn"),
+            ("a b.mtl", &["bare"], "as it names none;"),
             ("a b.mtl", &["out"], "as ../out.png is not in the model's folder;"),
             ("a b.mtl", &["far"], "as /etc/a.png is not in the model's folder;"),
             ("a b.mtl", &["drive"], r"as C:\a.png is not in the model's folder;"),
@@ -181,7 +202,7 @@ mod tests {
             };
             let (texture, line) = own(&folder.join("a.obj"), &materials);
             assert!(line.contains(said) && line.lines().count() == 1, "{library} {used:?}: {line}");
-            let expected = if said.starts_with("its") { Color::RED } else { Color::rgb(230, 230, 230) };
+            let expected = if line.starts_with("its") { Color::RED } else { Color::rgb(230, 230, 230) };
             assert_eq!(texture.get(0, 0), Some(expected), "{library} {used:?}");
         }
     }

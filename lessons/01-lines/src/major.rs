@@ -38,6 +38,13 @@ impl Major {
         if self.steep { (minor, major) } else { (major, minor) }
     }
 
+    /// The pixel there, even beside the segment; `None` beyond what 32 bits hold.
+    pub(crate) fn neighbour(&self, step: i64, risen: i64) -> Option<(i32, i32)> {
+        let minor = i32::try_from(i64::from(self.start.y) + self.sign * risen).ok()?;
+        let major = (i64::from(self.start.x) + step) as i32;
+        Some(if self.steep { (minor, major) } else { (major, minor) })
+    }
+
     /// The steps in which the pixel `risen` across, or the next `wider` ones, can be seen in the window.
     /// `reach(n)` is the first step, at least 0, in which the segment has risen by at least `n`, if it were
     /// long enough.

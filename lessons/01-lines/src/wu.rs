@@ -32,7 +32,7 @@ pub fn wu(a: IVec2, b: IVec2, window: Bounds, mut plot: impl FnMut(i32, i32, u8)
 // ANCHOR_END: wu
 
 /// The first step in which the whole part of the height is at least `risen`.
-fn reach(risen: i64, slope: u128) -> i128 {
+pub(crate) fn reach(risen: i64, slope: u128) -> i128 {
     match (risen, slope) {
         (..=0, _) => 0,
         (_, 0) => i128::MAX,

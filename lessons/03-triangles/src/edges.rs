@@ -276,3 +276,16 @@ fn narrow(margin: f64, right: f64, first: &mut f64, last: &mut f64) {
     }
 }
 // ANCHOR_END: narrow
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A corner half-way between two points of the grid goes to the even one, in either direction.
+    #[test]
+    fn ties_go_to_the_even_point() {
+        let halves = |n: f32| n / 512.0;
+        let snapped = |x, y| snap(Vec2::new(halves(x), halves(y)));
+        assert_eq!([snapped(1.0, 3.0), snapped(-1.0, -3.0), snapped(5.0, 7.0)], [[0, 2], [0, -2], [2, 4]]);
+    }
+}

@@ -12,9 +12,13 @@
 //! (i, j) of a texture of w×h covers u from i/w to (i+1)/w. Colours are multiplied as they are encoded. (u, v)
 //! is interpolated in the picture: under perspective, from lesson 7 on, that warps.
 
+mod wrap;
+
 use common::{Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
 use triangles::flat_intensity;
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
+
+pub use wrap::Wrap;
 
 /// This lesson.
 pub const LESSON: Lesson = Lesson {
@@ -103,7 +107,8 @@ pub fn texel(texture: &Image, uv: Vec2) -> Color {
 }
 // ANCHOR_END: texel
 
-/// The texel that (u, v) is in if the plane is tiled with the texture.
+/// The texel that (u, v) is in if the plane is tiled with the texture. What is not finite counts as 0; far out an f32
+/// has few digits left for the place in the tile, and from ±2²³ on none: that is the tile's corner.
 #[must_use]
 pub fn repeat(texture: &Image, uv: Vec2) -> Color {
     // What is left may be rounded up to 1; `texel` then takes the last column.

@@ -6,12 +6,17 @@ use common::program::flags::{DepthFlag, LightFlag};
 use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Program, run};
 use common::{Attributes, Image, Lesson, Method, Model};
-use textures::Sampler;
+use textures::{Sampler, Wrap, draw_textured};
 
 #[derive(clap::Args)]
 struct Flags {
     #[command(flatten)]
     model: TexturedModelFlags,
+
+    /// Where (u, v) leave 0 to 1: show the texture's border, or the texture again; as --method nearest and repeat do
+    #[arg(long, value_name = "clamp|repeat", value_enum, hide_possible_values = true, conflicts_with_all = ["method", "compare"])]
+    wrap: Option<Wrap>,
+
     #[command(flatten)]
     light: LightFlag,
     #[command(flatten)]
@@ -38,8 +43,13 @@ impl Program for Textures {
     }
 
     fn draw(&mut self, method: &Sampler, picture: &mut Image) -> anyhow::Result<Extras> {
-        let depths = (method.draw)(&self.model, &self.texture, self.flags.light.direction, picture);
-        Ok(Extras { depth: self.flags.depth.picture(|| depths.picture()), ..Extras::default() })
+        let Self { model, texture, flags } = self;
+        let light = flags.light.direction;
+        let depths = match flags.wrap {
+            None => (method.draw)(model, texture, light, picture),
+            Some(wrap) => draw_textured(model, light, picture, |uv| wrap.texel(texture, uv)),
+        };
+        Ok(Extras { depth: flags.depth.picture(|| depths.picture()), ..Extras::default() })
     }
 }
 

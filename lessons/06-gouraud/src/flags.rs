@@ -5,14 +5,25 @@ use common::program::flags::{DepthFlag, LightFlag};
 use common::program::model::TexturedModelFlags;
 use common::{Attributes, DVec3, Image, Model, Vec3};
 
-use crate::{Drawn, Scene, corner_normals};
+use crate::{Drawn, Scene, Wrap, corner_normals};
 
-/// `--model`, `--texture`, `--light` and `--depth`.
+/// `--model`, `--texture`, `--wrap`, `--light` and `--depth`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct SceneFlags {
     /// The model and its texture.
     #[command(flatten)]
     pub model: TexturedModelFlags,
+
+    /// Where (u, v) leave 0 to 1: show the texture's border, or the texture again
+    #[arg(
+        long,
+        value_name = "clamp|repeat",
+        value_enum,
+        hide_possible_values = true,
+        default_value = "clamp"
+    )]
+    pub wrap: Wrap,
+
     /// The light.
     #[command(flatten)]
     pub light: LightFlag,
@@ -47,6 +58,7 @@ impl LoadedScene {
             model: &self.model,
             normals: &self.normals,
             texture: &self.texture,
+            wrap: self.flags.wrap,
             light: self.flags.light.direction,
         }
     }

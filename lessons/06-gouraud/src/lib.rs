@@ -15,12 +15,13 @@
 pub mod flags;
 pub mod normals;
 
-use common::{Image, Lesson, Method, Model, Table, Vec2, Vec3};
-use textures::{interpolate, texel};
+use common::{Color, Image, Lesson, Method, Model, Table, Vec2, Vec3};
+use textures::{interpolate, repeat, texel};
 use triangles::flat_intensity;
 use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
 pub use normals::corner_normals;
+pub use textures::Wrap;
 
 /// This lesson.
 pub const LESSON: Lesson = Lesson {
@@ -39,6 +40,8 @@ pub struct Scene<'a> {
     pub normals: &'a [[Vec3; 3]],
     /// The texture.
     pub texture: &'a Image,
+    /// What the texture is outside.
+    pub wrap: Wrap,
     /// Unit vector from the surface to the light.
     pub light: Vec3,
 }
@@ -112,12 +115,27 @@ fn as_it_stands(size: Vec2) -> impl Fn(Vec3) -> Option<Vec3> {
 
 /// Draws a textured scene. `shade` gives the brightness in a triangle, by its number and corners, as a
 /// function of the barycentric weights.
-// ANCHOR: draw
 fn draw<S: Fn(Vec3) -> f32>(
     scene: &Scene,
     image: &mut Image,
     place: impl Fn(Vec3) -> Option<Vec3>,
     shade: impl Fn(usize, [Vec3; 3]) -> S,
+) -> Drawn {
+    // A loop for each, so that no pixel asks which it is.
+    match scene.wrap {
+        Wrap::Clamp => draw_sampled(scene, image, place, shade, texel),
+        Wrap::Repeat => draw_sampled(scene, image, place, shade, repeat),
+    }
+}
+
+/// As [`draw`]; `sample` gives the texel of (u, v).
+// ANCHOR: draw
+fn draw_sampled<S: Fn(Vec3) -> f32>(
+    scene: &Scene,
+    image: &mut Image,
+    place: impl Fn(Vec3) -> Option<Vec3>,
+    shade: impl Fn(usize, [Vec3; 3]) -> S,
+    sample: impl Fn(&Image, Vec2) -> Color,
 ) -> Drawn {
     let mut drawn = Drawn { depths: DepthBuffer::new(image, f32::NEG_INFINITY), left_out: 0 };
     for (n, (corners, uvs)) in scene.model.faces().zip(scene.model.face_uvs()).enumerate() {
@@ -131,7 +149,7 @@ fn draw<S: Fn(Vec3) -> f32>(
             &mut drawn.depths,
             |depth| depth,
             |x, y, weights| {
-                let color = texel(scene.texture, interpolate(uvs, weights));
+                let color = sample(scene.texture, interpolate(uvs, weights));
                 image.set(x, y, color.shaded(intensity(weights)));
             },
         );

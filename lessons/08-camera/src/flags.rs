@@ -2,9 +2,8 @@
 
 use common::direction::length;
 use common::program::{UsageError, values};
-use common::{DVec3, Mat4, Vec3};
+use common::{DVec3, Vec3};
 
-use crate::View;
 use crate::turntable::turned;
 
 /// `--eye`, `--center` and `--up`.
@@ -37,14 +36,14 @@ impl ViewFlags {
         [self.eye, self.center].map(|end| (end - self.origin()).as_vec3())
     }
 
-    /// The view matrix about the [`origin`](Self::origin), by one of the lesson's methods.
+    /// The view about the [`origin`](Self::origin), by one of the lesson's methods or functions.
     ///
     /// # Errors
     /// Where there is no direction from the eye to the centre.
-    pub fn matrix(&self, view: View) -> Result<Mat4, UsageError> {
+    pub fn look<V>(&self, look: fn(Vec3, Vec3, Vec3) -> Option<V>) -> Result<V, UsageError> {
         let one_point = || UsageError("--eye and --center are one point: move one of them".into());
         let [eye, center] = self.ends();
-        view(eye, center, self.up.as_vec3()).ok_or_else(one_point)
+        look(eye, center, self.up.as_vec3()).ok_or_else(one_point)
     }
 
     /// The same at stop `n` of so many on a full turn, to the right, about the centre.

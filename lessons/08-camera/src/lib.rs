@@ -4,7 +4,8 @@
 //! world in front of the eye instead of moving the eye.
 //!
 //! The job: given the eye, the point in the middle of the picture, and what is up, build the view matrix.
-//! [`METHODS`] holds the slides' listing, which is wrong but for a centre at the origin, and the right one.
+//! [`METHODS`] holds the slides' listing, which is wrong but for a centre at the origin, the right matrix, and one for
+//! centres far away.
 //!
 //! The eye's basis: z' points from the centre to the eye, x' is at right angles to up and z', y' to both. A
 //! point P has the coordinates (x'·(P − C), y'·(P − C), z'·(P − C)) in it: subtract the centre, then multiply
@@ -29,23 +30,45 @@ pub const LESSON: Lesson = Lesson {
     tables: &[Table { name: "", job: "Look at a point", rows: || Method::rows(METHODS) }],
 };
 
-/// The view matrix of an eye that looks at a centre, given eye, centre and up; `None` where there is no
-/// direction from one to the other, as in [`basis`].
-pub type View = fn(Vec3, Vec3, Vec3) -> Option<Mat4>;
+/// How the world comes before an eye: the point that is subtracted from every other, and the matrix for what is
+/// left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Subtracted first; the origin where the matrix does all.
+    pub origin: Vec3,
+    /// Multiplied by what is left of a point.
+    pub matrix: Mat4,
+}
 
-/// The ways to build a view matrix.
-pub const METHODS: &[Method<View>] = &[
+impl From<Mat4> for View {
+    fn from(matrix: Mat4) -> Self {
+        Self { origin: Vec3::ZERO, matrix }
+    }
+}
+
+/// The view of an eye that looks at a centre, given eye, centre and up; `None` where there is no direction from one
+/// to the other, as in [`basis`].
+pub type Look = fn(Vec3, Vec3, Vec3) -> Option<View>;
+
+/// The ways to look at a point.
+pub const METHODS: &[Method<Look>] = &[
     Method {
         name: "listing",
-        run: listing,
+        run: |eye, center, up| listing(eye, center, up).map(View::from),
         promise: "right for a centre at the origin (the slides' version, as printed)",
         failure: "subtracts the centre after turning, unturned: any other centre misses the middle",
     },
     Method {
         name: "lookat",
-        run: lookat,
+        run: |eye, center, up| lookat(eye, center, up).map(View::from),
         promise: "right for any centre; any other up where up is along the view",
-        failure: "up within an angle θ of the view costs digits: the basis is off by about 1e-7/θ",
+        failure: "up within an angle θ of the view costs digits: the basis is off by about 1e-7/θ; and so does a centre far away",
+    },
+    Method {
+        name: "relative",
+        run: relative,
+        promise: "right for any centre, however far from the origin",
+        failure: "a subtraction more for each point; up near the view as for lookat",
     },
 ];
 
@@ -57,6 +80,17 @@ pub fn lookat(eye: Vec3, center: Vec3, up: Vec3) -> Option<Mat4> {
     Some(Mat4::from_mat3(rows) * translate(-center))
 }
 // ANCHOR_END: lookat
+
+/// The same in two steps, so that nothing large is ever rounded: points near the centre lose their common part first,
+/// and only what is left is turned. R·P and R·C, whose difference [`lookat`] forms, are as large as the centre is
+/// far, and each is rounded. (The field calls it camera-relative rendering.)
+// ANCHOR: relative
+#[must_use]
+pub fn relative(eye: Vec3, center: Vec3, up: Vec3) -> Option<View> {
+    let rows = basis(eye, center, up)?;
+    Some(View { origin: center, matrix: Mat4::from_mat3(rows) })
+}
+// ANCHOR_END: relative
 
 /// The slides' view matrix, as printed: R·P − C.
 // ANCHOR: listing

@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use camera::View;
 use camera::flags::{TurntableFlag, ViewFlags};
+use camera::{Look, View};
 use common::program::{Extras, Output, Program, run};
 use common::{Image, Lesson, Method};
 use gouraud::flags::{LoadedScene, SceneFlags};
@@ -28,10 +28,10 @@ struct Camera {
 
 impl Program for Camera {
     type Flags = Flags;
-    type Method = View;
+    type Method = Look;
 
     const LESSON: Lesson = camera::LESSON;
-    const METHODS: &[Method<View>] = camera::METHODS;
+    const METHODS: &[Method<Look>] = camera::METHODS;
     const DEFAULT: &str = "lookat";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
@@ -39,18 +39,18 @@ impl Program for Camera {
         Ok(Self { loaded, view: flags.view, stops: flags.turntable.stops })
     }
 
-    fn draw(&mut self, view: &View, picture: &mut Image) -> anyhow::Result<Extras> {
+    fn draw(&mut self, look: &Look, picture: &mut Image) -> anyhow::Result<Extras> {
         let size = picture.size();
-        let all =
-            viewport(size.x, size.y, 0.5) * projection(self.view.distance()) * self.view.matrix(*view)?;
-        let drawn = gouraud(&self.loaded.scene(), picture, |point| place(&all, point));
+        let View { origin, matrix } = self.view.look(*look)?;
+        let all = viewport(size.x, size.y, 0.5) * projection(self.view.distance()) * matrix;
+        let drawn = gouraud(&self.loaded.scene(), picture, |point| place(&all, point - origin));
         Ok(self.loaded.extras(&drawn))
     }
 
-    fn show(&mut self, view: &View, output: &Output) -> anyhow::Result<()> {
-        let Some(stops) = self.stops else { return output.one(self, view) };
+    fn show(&mut self, look: &Look, output: &Output) -> anyhow::Result<()> {
+        let Some(stops) = self.stops else { return output.one(self, look) };
         let from = self.view;
-        output.series(self, view, stops, |camera, n| camera.view = from.turned(n, stops))
+        output.series(self, look, stops, |camera, n| camera.view = from.turned(n, stops))
     }
 }
 

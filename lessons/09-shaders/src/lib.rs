@@ -28,6 +28,7 @@ pub mod target;
 use std::hint::black_box;
 
 use common::{Attributes, Color, Image, Lesson, Mat4, Method, Model, Table, Vec2, Vec3, Vec4};
+use textures::Wrap;
 use transforms::scale;
 
 use lighting::{Flat, Gouraud, Lighting, Quantized};
@@ -57,6 +58,8 @@ pub struct Uniforms<'a> {
     pub normals: &'a [[Vec3; 3]],
     /// The texture, if the shader needs it.
     pub texture: Option<&'a Image>,
+    /// What the texture is outside.
+    pub wrap: Wrap,
     /// Unit vector from the surface to the light.
     pub light: Vec3,
     /// Projection × view: from the model's space to the square of the picture and depth, before division by w.
@@ -69,7 +72,15 @@ impl<'a> Uniforms<'a> {
     /// A model as it stands, without normals or texture, lit from the front, in six steps.
     #[must_use]
     pub fn new(model: &'a Model) -> Self {
-        Self { model, normals: &[], texture: None, light: Vec3::Z, to_clip: Mat4::IDENTITY, levels: 6 }
+        Self {
+            model,
+            normals: &[],
+            texture: None,
+            wrap: Wrap::Clamp,
+            light: Vec3::Z,
+            to_clip: Mat4::IDENTITY,
+            levels: 6,
+        }
     }
 }
 

@@ -75,10 +75,11 @@ impl Program for Shaders {
         let flags = &self.flags;
         let columns = if self.shaders.len() == 1 { 1 } else { 2 };
         let (width, height) = (picture.width() / columns, picture.height() / columns);
-        let view = projection(flags.view.distance()) * flags.view.matrix(lookat)?;
+        let view = projection(flags.view.distance()) * flags.view.look(lookat)?;
         let uniforms = Uniforms {
             normals: &self.normals,
             texture: self.texture.as_ref(),
+            wrap: flags.scene.wrap,
             light: flags.scene.light.direction,
             to_clip: fit(ZOOM, Vec2::new(width as f32, height as f32)) * view,
             levels: flags.levels,

@@ -1,7 +1,6 @@
 //! Where a fragment's colour comes from, before light.
 
 use common::{Color, Vec2};
-use textures::texel;
 
 use crate::Uniforms;
 use crate::shader::Varying;
@@ -48,6 +47,6 @@ impl Source for Texture {
 
     #[inline]
     fn color(&self, uniforms: &Uniforms, uv: Vec2) -> Color {
-        uniforms.texture.map_or(Color::BLACK, |texture| texel(texture, uv))
+        uniforms.texture.map_or(Color::BLACK, |texture| uniforms.wrap.texel(texture, uv))
     }
 }

@@ -20,9 +20,9 @@
 pub mod coverage;
 pub mod matrix;
 pub mod picture;
-pub mod render;
 pub mod segment;
 pub mod sphere;
+pub mod supersampled;
 pub mod texel;
 pub mod turn;
 pub mod vertex;

@@ -49,15 +49,15 @@ impl<F> Judge<F> {
             assert!(hint.is_none_or(|hint| chapter.contains(&hint)), "{}", fault.cause);
         }
         for seed in [SEED, 2] {
-            let (sheets, tasks) = (self.key(seed), self.mission.tasks(seed));
+            let (keys, tasks) = (self.key(seed), self.mission.tasks(seed));
             for (fault, version) in
                 self.faults.iter().flat_map(|fault| fault.versions.iter().map(move |v| (fault, v)))
             {
-                let rows: Vec<_> = sheets.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
+                let rows: Vec<_> = keys.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
                 let found = (0..rows.len()).find_map(|n| {
-                    let (sheet, tasks) = rows[n];
+                    let (key, tasks) = rows[n];
                     let answers: Vec<Answer> = tasks.iter().map(|task| attempt(task, version)).collect();
-                    let verdict = sheet.judge(&answers);
+                    let verdict = key.judge(&answers);
                     let wrong = !verdict.wrong.is_empty();
                     wrong.then(|| (verdict, self.faults_of(&rows[..n], rows[n], &answers)))
                 });

@@ -6,7 +6,7 @@ use checks::picture::{self, Fault};
 use common::{Color, IVec2};
 use tasks::{Answer, Precision, Raw};
 
-use super::{Question, Sheet};
+use super::{AnswerKey, Question};
 
 impl Question {
     /// In what a result differs from the expected one.
@@ -173,7 +173,7 @@ impl Verdict {
     }
 }
 
-impl Sheet {
+impl AnswerKey {
     /// Judges the answers to these questions. One that is not there counts as a crash.
     #[must_use]
     pub fn judge(&self, answers: &[Answer]) -> Verdict {

@@ -3,7 +3,7 @@
 use tasks::{Answer, Precision, Task, attempt};
 
 use super::compare::compare;
-use super::{Judge, Question, Sheet};
+use super::{AnswerKey, Judge, Question};
 
 /// A mistake that students make.
 pub struct Fault<F: 'static> {
@@ -29,20 +29,17 @@ impl<F> Judge<F> {
     /// where these were passed: a fault that fails one of them is not what is wrong.
     pub(crate) fn faults_of(
         &self,
-        before: &[(&Sheet, &[Task<F>])],
-        (sheet, tasks): (&Sheet, &[Task<F>]),
+        before: &[(&AnswerKey, &[Task<F>])],
+        (key, tasks): (&AnswerKey, &[Task<F>]),
         answers: &[Answer],
     ) -> Vec<&Fault<F>> {
         let right = |question: &Question, answer: &Answer| matches!(answer, Answer::Raw(raw) if question.differs(raw).is_empty());
-        let passes = |version: &F, (sheet, tasks): &(&Sheet, &[Task<F>])| {
-            tasks
-                .iter()
-                .zip(&sheet.questions)
-                .all(|(task, question)| right(question, &attempt(task, version)))
+        let passes = |version: &F, (key, tasks): &(&AnswerKey, &[Task<F>])| {
+            tasks.iter().zip(&key.questions).all(|(task, question)| right(question, &attempt(task, version)))
         };
         let gives = |version: &F| {
             let mut wrong = false;
-            let same = tasks.iter().zip(&sheet.questions).zip(answers).all(|((task, question), answer)| {
+            let same = tasks.iter().zip(&key.questions).zip(answers).all(|((task, question), answer)| {
                 let own = attempt(task, version);
                 wrong |= !right(question, &own);
                 alike(&own, answer, question.precision)

@@ -13,13 +13,13 @@ impl<F> Judge<F> {
     /// Prints an input as a test that a student may paste.
     pub(crate) fn print_input(&self, number: &str) -> anyhow::Result<ExitCode> {
         let lesson = self.mission.lesson;
-        let sheets = self.key(SEED);
-        let count: usize = sheets.iter().map(|sheet| sheet.questions.len()).sum();
+        let keys = self.key(SEED);
+        let count: usize = keys.iter().map(|key| key.questions.len()).sum();
         let n = number.parse().ok().filter(|n| (1..=count).contains(n));
         let n: usize =
             n.with_context(|| format!("there is no input {number}: they are numbered 1 to {count}"))?;
         let tasks = self.mission.tasks(SEED).into_iter().flatten();
-        let questions = sheets.iter().flat_map(|sheet| &sheet.questions);
+        let questions = keys.iter().flat_map(|key| &key.questions);
         let (task, question) = tasks.zip(questions).nth(n - 1).context("an input")?;
         let names = ["Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3"];
         let used = names.iter().filter(|name| {

@@ -48,7 +48,7 @@ pub struct Question {
 }
 
 /// The questions of one check.
-pub struct Sheet {
+pub struct AnswerKey {
     /// What the check is called.
     pub name: &'static str,
     /// What it asks, in one line.
@@ -64,7 +64,7 @@ pub struct Sheet {
 impl<F> Judge<F> {
     /// The questions of each check, with what is expected.
     #[must_use]
-    pub fn key(&self, seed: u64) -> Vec<Sheet> {
+    pub fn key(&self, seed: u64) -> Vec<AnswerKey> {
         let mut first = 1;
         let rows = self.mission.checks.iter().zip(self.mission.tasks(seed));
         rows.map(|(check, tasks)| {
@@ -74,29 +74,30 @@ impl<F> Judge<F> {
                 precision: check.precision,
             };
             let questions: Vec<Question> = tasks.into_iter().map(question).collect();
-            let sheet = Sheet { name: check.name, asks: check.asks, points: check.points, first, questions };
-            first += sheet.questions.len();
-            sheet
+            let key =
+                AnswerKey { name: check.name, asks: check.asks, points: check.points, first, questions };
+            first += key.questions.len();
+            key
         })
         .collect()
     }
 
-    /// Judges the answers to the questions of sheets, check by check.
-    pub(crate) fn judge(&self, seed: u64, sheets: &[Sheet], answers: &[Answer]) -> Vec<Verdict> {
+    /// Judges the answers to the questions of keys, check by check.
+    pub(crate) fn judge(&self, seed: u64, keys: &[AnswerKey], answers: &[Answer]) -> Vec<Verdict> {
         let all = self.mission.checks.iter().zip(self.mission.tasks(seed));
-        let asked = all.filter(|(check, _)| sheets.iter().any(|sheet| sheet.name == check.name));
+        let asked = all.filter(|(check, _)| keys.iter().any(|key| key.name == check.name));
         let tasks: Vec<Vec<Task<F>>> = asked.map(|(_, tasks)| tasks).collect();
-        let rows: Vec<_> = sheets.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
+        let rows: Vec<_> = keys.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
         let mut rest = answers;
         // What the first wrong check shows is looked for in those after it.
         let mut named: Option<Vec<&Fault<F>>> = None;
-        let verdict = |(n, &sheet): (usize, &(&Sheet, &[Task<F>]))| {
-            let (own, others) = rest.split_at(sheet.0.questions.len().min(rest.len()));
+        let verdict = |(n, &key): (usize, &(&AnswerKey, &[Task<F>]))| {
+            let (own, others) = rest.split_at(key.0.questions.len().min(rest.len()));
             rest = others;
-            let mut verdict = sheet.0.judge(own);
+            let mut verdict = key.0.judge(own);
             if !verdict.wrong.is_empty() {
                 let before = if named.is_none() { &rows[..n] } else { &[] };
-                let mut faults = self.faults_of(before, sheet, own);
+                let mut faults = self.faults_of(before, key, own);
                 match &named {
                     None => named = Some(faults.clone()),
                     Some(named) => {

@@ -9,7 +9,7 @@ use common::terminal::print;
 use tasks::Answer;
 
 use super::show::pictures;
-use super::{Finding, Judge, Sheet, Verdict};
+use super::{AnswerKey, Finding, Judge, Verdict};
 
 /// How many wrong inputs of a check are told.
 const TOLD: usize = 3;
@@ -29,15 +29,15 @@ impl<F> Judge<F> {
     /// which is then in files of the folder, see [`picture_files`].
     pub(crate) fn mark(&self, seed: &str, answers: &Path, folder: &Path) -> anyhow::Result<ExitCode> {
         let seed = seed.parse()?;
-        let sheets = self.key(seed);
+        let keys = self.key(seed);
         let text = std::fs::read_to_string(answers).context("cannot read the answers")?;
         let answers: Vec<Answer> = text.lines().map_while(|line| line.parse().ok()).collect();
         let mut rest = answers.as_slice();
-        for (check, (sheet, verdict)) in sheets.iter().zip(self.judge(seed, &sheets, &answers)).enumerate() {
-            let (own, others) = rest.split_at(sheet.questions.len().min(rest.len()));
+        for (check, (key, verdict)) in keys.iter().zip(self.judge(seed, &keys, &answers)).enumerate() {
+            let (own, others) = rest.split_at(key.questions.len().min(rest.len()));
             rest = others;
-            print(&told(sheet, &verdict))?;
-            if let Some((input, images)) = first_picture(sheet, own, &verdict) {
+            print(&told(key, &verdict))?;
+            if let Some((input, images)) = first_picture(key, own, &verdict) {
                 for (image, file) in images.iter().zip(picture_files(folder, check)) {
                     image.write(&file)?;
                 }
@@ -54,11 +54,11 @@ pub fn picture_files(folder: &Path, check: usize) -> [PathBuf; 3] {
     ["expected", "got", "difference"].map(|name| folder.join(format!("{check}-{name}.png")))
 }
 
-fn told(sheet: &Sheet, verdict: &Verdict) -> String {
+fn told(key: &AnswerKey, verdict: &Verdict) -> String {
     let mut text = format!("check {} {}\n", verdict.earned(), verdict.wrong.len());
     text.extend(verdict.cause.iter().map(|cause| format!("cause {cause}\n")));
     for wrong in verdict.wrong.iter().take(TOLD) {
-        text += &format!("input {}\n", sheet.questions[wrong.question].input);
+        text += &format!("input {}\n", key.questions[wrong.question].input);
         text.extend(wrong.findings.iter().map(|finding| format!("finding {finding}\n")));
     }
     text
@@ -66,13 +66,13 @@ fn told(sheet: &Sheet, verdict: &Verdict) -> String {
 
 /// The first wrong picture, of a result that there is, and of the right size.
 fn first_picture<'a>(
-    sheet: &'a Sheet,
+    key: &'a AnswerKey,
     answers: &[Answer],
     verdict: &Verdict,
 ) -> Option<(&'a str, [Image; 3])> {
     let drawn = verdict.wrong.iter().filter(|wrong| !wrong.findings.contains(&Finding::WrongShape));
     drawn.filter(|wrong| matches!(answers.get(wrong.question), Some(Answer::Raw(_)))).find_map(|wrong| {
-        let question = &sheet.questions[wrong.question];
+        let question = &key.questions[wrong.question];
         Some((question.input.as_str(), pictures(question, &answers[wrong.question])?))
     })
 }

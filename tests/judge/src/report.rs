@@ -4,29 +4,29 @@ use std::path::Path;
 
 use tasks::COURSE;
 
-use super::{Finding, Sheet, Verdict};
+use super::{AnswerKey, Finding, Verdict};
 
 /// The verdicts as text, on some checks or on all.
 pub(crate) fn report(
     lesson: &str,
-    sheets: &[Sheet],
+    keys: &[AnswerKey],
     verdicts: &[Verdict],
     all: bool,
 ) -> anyhow::Result<String> {
     let width = verdicts.iter().map(|verdict| verdict.name.len()).max().unwrap_or(0);
     let mut lines = Vec::new();
-    for (verdict, sheet) in verdicts.iter().zip(sheets) {
+    for (verdict, key) in verdicts.iter().zip(keys) {
         let Verdict { name, asks, points, wrong, cause } = verdict;
         let word = if wrong.is_empty() { "right" } else { "wrong" };
         lines.push(format!("{word}  {name:width$}  {}/{points}  {asks}", verdict.earned()));
         let Some(first) = wrong.first() else { continue };
-        let number = sheet.first + first.question;
-        let count = match (wrong.len(), sheet.questions.len()) {
+        let number = key.first + first.question;
+        let count = match (wrong.len(), key.questions.len()) {
             (_, 1) => format!("input {number}"),
             (wrong, of) if wrong == of => format!("all {of} inputs; the first, input {number}"),
             (wrong, of) => format!("{wrong} of {of} inputs; the first, input {number}"),
         };
-        let input = &sheet.questions[first.question].input;
+        let input = &key.questions[first.question].input;
         lines.push(format!("       {count}: {}", said(input, &first.findings)));
         if let Some(cause) = cause {
             lines.push(format!("       likely cause: {cause}"));

@@ -13,13 +13,13 @@ use tasks::{Answer, Raw, SEED, Shape};
 use super::ask::ask;
 use super::enlarge::{self, enlarged, shape_at};
 use super::report::{report, said};
-use super::{Finding, Judge, Question, Sheet, Verdict};
+use super::{AnswerKey, Finding, Judge, Question, Verdict};
 
 /// What a student's program answers to the questions of one check, or of all.
-fn answers(program: &Path, sheets: &[Sheet], check: Option<&str>) -> anyhow::Result<Vec<Answer>> {
+fn answers(program: &Path, keys: &[AnswerKey], check: Option<&str>) -> anyhow::Result<Vec<Answer>> {
     let folder = std::env::temp_dir().join(format!("pixel-by-pixel-{}", std::process::id()));
     std::fs::create_dir(&folder).context("cannot make a folder for the answers")?;
-    let questions: Vec<usize> = sheets.iter().map(|sheet| sheet.questions.len()).collect();
+    let questions: Vec<usize> = keys.iter().map(|key| key.questions.len()).collect();
     let answers = ask(&questions, &folder, |file, from| {
         let mut child = Command::new(program);
         child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]).args(check);
@@ -38,9 +38,9 @@ impl<F> Judge<F> {
         in_terminal: bool,
     ) -> anyhow::Result<ExitCode> {
         let lesson = self.mission.lesson;
-        let mut sheets = self.key(SEED);
-        sheets.retain(|sheet| check.is_none_or(|check| sheet.name == check));
-        if sheets.is_empty() {
+        let mut keys = self.key(SEED);
+        keys.retain(|key| check.is_none_or(|check| key.name == check));
+        if keys.is_empty() {
             let names = self.mission.checks.iter().map(|check| format!("{:?}", check.name));
             bail!(
                 "there is no check {:?}; there are {}",
@@ -48,8 +48,8 @@ impl<F> Judge<F> {
                 names.collect::<Vec<_>>().join(", ")
             );
         }
-        let answers = answers(program, &sheets, check)?;
-        let verdicts = self.judge(SEED, &sheets, &answers);
+        let answers = answers(program, &keys, check)?;
+        let verdicts = self.judge(SEED, &keys, &answers);
         let unwritten = |answer: &Answer| match answer {
             Answer::Unwritten(said) => Some(said.clone()),
             _ => None,
@@ -61,12 +61,12 @@ impl<F> Judge<F> {
             return Ok(ExitCode::FAILURE);
         }
 
-        if let Some(Shown { title, pictures, pixel, shape }) = self.shown(&sheets, &answers, &verdicts) {
+        if let Some(Shown { title, pictures, pixel, shape }) = self.shown(&keys, &answers, &verdicts) {
             std::fs::create_dir_all("out").context("cannot create the folder out/")?;
             let path = PathBuf::from("out").join(format!("my-{lesson}.png"));
-            let sheet = side_by_side(&pictures.each_ref()).map_err(anyhow::Error::msg)?;
-            sheet.write(&path)?;
-            if let Some(text) = preview::for_terminal(&sheet).filter(|_| in_terminal) {
+            let picture = side_by_side(&pictures.each_ref()).map_err(anyhow::Error::msg)?;
+            picture.write(&path)?;
+            if let Some(text) = preview::for_terminal(&picture).filter(|_| in_terminal) {
                 print(&text)?;
             }
             print(&format!("{}: expected | got | difference, {title}\n", path.display()))?;
@@ -89,33 +89,33 @@ impl<F> Judge<F> {
                 None => (),
             }
         }
-        print(&report(lesson, &sheets, &verdicts, check.is_none())?)?;
+        print(&report(lesson, &keys, &verdicts, check.is_none())?)?;
         let all = verdicts.iter().all(|verdict| verdict.wrong.is_empty());
         Ok(if all { ExitCode::SUCCESS } else { ExitCode::FAILURE })
     }
 
     /// What is to be seen: the first picture that is wrong, or else that of the lesson.
-    fn shown(&self, sheets: &[Sheet], answers: &[Answer], verdicts: &[Verdict]) -> Option<Shown> {
-        let asked = sheets.iter().zip(verdicts).flat_map(|(sheet, verdict)| {
-            (sheet.questions.iter().enumerate()).map(move |(n, question)| {
+    fn shown(&self, keys: &[AnswerKey], answers: &[Answer], verdicts: &[Verdict]) -> Option<Shown> {
+        let asked = keys.iter().zip(verdicts).flat_map(|(key, verdict)| {
+            (key.questions.iter().enumerate()).map(move |(n, question)| {
                 let wrong = verdict.wrong.iter().find(|wrong| wrong.question == n);
-                (sheet, n, question, wrong)
+                (key, n, question, wrong)
             })
         });
         let pictures: Vec<_> = asked
             .zip(answers)
-            .filter_map(|((sheet, n, question, wrong), answer)| {
-                Some((sheet, n, wrong, pictures(question, answer)?))
+            .filter_map(|((key, n, question, wrong), answer)| {
+                Some((key, n, wrong, pictures(question, answer)?))
             })
             .collect();
         let first = pictures.iter().find(|(.., wrong, _)| wrong.is_some());
-        let (sheet, n, wrong, pictures) =
-            first.or_else(|| pictures.iter().find(|(sheet, ..)| sheet.name == "picture"))?;
+        let (key, n, wrong, pictures) =
+            first.or_else(|| pictures.iter().find(|(key, ..)| key.name == "picture"))?;
         let pixel = wrong.and_then(|wrong| wrong.findings.iter().find_map(Finding::pixel));
         let tasks = self.mission.tasks(SEED).into_iter().flatten();
-        let task = tasks.skip(sheet.first - 1 + n).take(1).next()?;
+        let task = tasks.skip(key.first - 1 + n).take(1).next()?;
         Some(Shown {
-            title: format!("{}: {}", sheet.name, task.input),
+            title: format!("{}: {}", key.name, task.input),
             pictures: pictures.clone(),
             pixel,
             shape: pixel.and_then(|at| shape_at(&(task.shapes)(&self.reference), at).cloned()),
@@ -136,15 +136,15 @@ impl<F> Judge<F> {
             let list: String = names.map(|name| format!("{name}: test\n")).collect();
             return print(&list).map(|()| ExitCode::SUCCESS);
         }
-        let mut sheets = self.key(SEED);
-        let answers = answers(program, &sheets, None)?;
-        let mut verdicts = self.judge(SEED, &sheets, &answers);
-        sheets.retain(|sheet| chosen(sheet.name));
+        let mut keys = self.key(SEED);
+        let answers = answers(program, &keys, None)?;
+        let mut verdicts = self.judge(SEED, &keys, &answers);
+        keys.retain(|key| chosen(key.name));
         verdicts.retain(|verdict| chosen(verdict.name));
         let mut text = format!("\nrunning {} tests\n", verdicts.len());
-        for (verdict, sheet) in verdicts.iter().zip(&sheets) {
+        for (verdict, key) in verdicts.iter().zip(&keys) {
             let said = verdict.wrong.first().map(|wrong| {
-                format!("FAILED, {}", said(&sheet.questions[wrong.question].input, &wrong.findings))
+                format!("FAILED, {}", said(&key.questions[wrong.question].input, &wrong.findings))
             });
             let cause =
                 verdict.cause.as_ref().map(|cause| format!("; likely cause: {cause}")).unwrap_or_default();

@@ -1,7 +1,7 @@
-use checks::segment::{draws, largest_smooth, measure, smooth_share};
+use checks::segment::{draws, largest_smooth, measure, smooth_share, thickness};
 use common::{Bounds, IVec2};
 use lines::slides::scaled;
-use lines::{METHODS, bresenham, wu};
+use lines::{METHODS, bresenham, distance, wu};
 use proptest::prelude::*;
 
 use crate::{places, visited};
@@ -79,6 +79,28 @@ proptest! {
     }
 
     #[test]
+    fn distance_is_as_thick_in_every_direction_and_the_same_from_either_end(
+        a in point(-300..=300), b in point(-300..=300), shift in point(-8..=8),
+    ) {
+        let run = |a, b, window| {
+            let mut pixels = visited(|plot| distance(a, b, window, plot));
+            pixels.sort_unstable();
+            pixels
+        };
+        let pixels = run(a, b, Bounds::EVERYTHING);
+        let found = thickness(a, b, &pixels);
+        prop_assert!(found.largest < 0.1, "{found:?}");
+        prop_assert!([a, b].iter().all(|end| pixels.contains(&(end.x, end.y, 255))));
+        prop_assert_eq!(&pixels, &run(b, a, Bounds::EVERYTHING));
+        // What is seen in a window is what is seen there of the whole.
+        let window = window_on(a, b, 0.4, shift);
+        let inside = |pixels: Vec<(i32, i32, u8)>| -> Vec<_> {
+            pixels.into_iter().filter(|&(x, y, _)| window.contains(x, y)).collect()
+        };
+        prop_assert_eq!(inside(pixels), inside(run(a, b, window)));
+    }
+
+    #[test]
     fn any_segment_is_right_in_any_window(
         a in any_point(), b in any_point(), share in 0.0..=1.0, shift in point(-8..=8),
     ) {
@@ -91,7 +113,9 @@ proptest! {
         for method in METHODS {
             let mut count = 0;
             (method.run.visit)(a, b, Bounds::EVERYTHING, &mut |_, _, _| count += 1);
-            prop_assert!(count <= 101);
+            // Three pixels in each of up to 41 steps.
+            let most = if method.name == "distance" { 123 } else { 101 };
+            prop_assert!(count <= most);
         }
     }
 }

@@ -1,6 +1,6 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-use checks::segment::{draws, largest_smooth, measure};
+use checks::segment::{draws, largest_smooth, measure, thickness};
 use common::{Bounds, Color, IVec2, Method};
 use lines::{LESSON, Line, METHODS};
 use verify::stability::Must::{Exact, Fails};
@@ -13,7 +13,8 @@ use crate::{places, visited};
 type Ends = [i32; 4];
 
 /// The segments, and what each method must make of them. Exact is one pixel a step, the nearest one; both ends; the
-/// same from b to a; and of a smooth line the centre of mass within 1/255 px.
+/// same from b to a; of `wu` the centre of mass within 1/255 px; of `distance`, which is as thick in every direction, each
+/// pixel's share within 1/10 of what a line 1 px thick covers.
 const TABLE: &[Case<Ends>] = &[
     (
         "the slides' white line",
@@ -23,7 +24,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.01", Fails("gaps 1, doubled 34, ends missed 1, 0.96 px off, reversed differs")),
             ("per-column", Fails("0.99 px off, reversed differs")),
             ("transposed, slope", Fails("0.99 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.79 px off")),
         ],
     ),
@@ -35,7 +36,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.01", Fails("gaps 1, doubled 34, ends missed 1, 0.96 px off, reversed differs")),
             ("per-column", Fails("gaps 47, reversed differs")),
             ("transposed, slope", Fails("0.99 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.79 px off")),
         ],
     ),
@@ -48,7 +49,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("gaps 21, ends missed 2, reversed differs")),
             ("transposed", Fails("0.95 px off")),
             ("slope", Fails("ends missed 1, 1.00 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.80 px off")),
         ],
     ),
@@ -61,7 +62,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("gaps 21, ends missed 2, reversed differs")),
             ("transposed", Fails("0.95 px off")),
             ("slope", Fails("ends missed 1, 1.00 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.80 px off")),
         ],
     ),
@@ -74,7 +75,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("0.95 px off, reversed differs")),
             ("transposed", Fails("0.95 px off")),
             ("slope", Fails("ends missed 1, 1.00 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("ends missed 2, 1.10 px off")),
         ],
     ),
@@ -85,7 +86,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.1", Fails("gaps 1, doubled 1, ends missed 1, reversed differs")),
             ("step-0.01", Fails("gaps 1, doubled 9, ends missed 1, reversed differs")),
             ("per-column", Fails("reversed differs")),
-            ("transposed, slope, fraction, scaled, bresenham, wu", Exact),
+            ("transposed, slope, fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("ends missed 2, 1.00 px off")),
         ],
     ),
@@ -96,7 +97,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.1", Fails("gaps 1, doubled 1, ends missed 1, reversed differs")),
             ("step-0.01", Fails("gaps 1, doubled 9, ends missed 1, reversed differs")),
             ("per-column", Fails("reversed differs")),
-            ("transposed, slope, fraction, scaled, listing, bresenham, wu", Exact),
+            ("transposed, slope, fraction, scaled, listing, bresenham, wu, distance", Exact),
         ],
     ),
     (
@@ -106,7 +107,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.1", Fails("reversed differs")),
             ("step-0.01", Fails("doubled 9, reversed differs")),
             ("per-column", Fails("gaps 9, ends missed 1")),
-            ("transposed, slope, fraction, scaled, listing, bresenham, wu", Exact),
+            ("transposed, slope, fraction, scaled, listing, bresenham, wu, distance", Exact),
         ],
     ),
     (
@@ -116,7 +117,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.1", Fails("gaps 1, doubled 2, ends missed 1, reversed differs")),
             ("step-0.01", Fails("gaps 1, doubled 8, ends missed 1, reversed differs")),
             ("per-column", Fails("reversed differs")),
-            ("transposed, slope, fraction, scaled, listing, bresenham, wu", Exact),
+            ("transposed, slope, fraction, scaled, listing, bresenham, wu, distance", Exact),
         ],
     ),
     (
@@ -127,7 +128,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.01", Fails("doubled 19, 0.95 px off, reversed differs")),
             ("per-column", Fails("0.95 px off, reversed differs")),
             ("transposed, slope", Fails("0.95 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.79 px off")),
         ],
     ),
@@ -137,7 +138,7 @@ const TABLE: &[Case<Ends>] = &[
         &[
             ("step-0.1, step-0.01", Fails("doubled 1")),
             ("per-column, transposed", Fails("ends missed 2, 4.00 px off")),
-            ("slope, fraction, scaled, listing, bresenham, wu", Exact),
+            ("slope, fraction, scaled, listing, bresenham, wu, distance", Exact),
         ],
     ),
     (
@@ -148,7 +149,7 @@ const TABLE: &[Case<Ends>] = &[
             ("step-0.01", Fails("gaps 100, ends missed 1, 0.98 px off, reversed differs")),
             ("per-column", Fails("0.99 px off, reversed differs")),
             ("transposed, slope", Fails("0.99 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.86 px off")),
         ],
     ),
@@ -161,7 +162,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("1.00 px off, reversed differs")),
             ("transposed", Fails("1.00 px off")),
             ("slope", Fails("ends missed 1, 2.18 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("ends missed 2, 1.18 px off")),
         ],
     ),
@@ -174,7 +175,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("1.00 px off, reversed differs")),
             ("transposed", Fails("1.00 px off")),
             ("slope", Fails("ends missed 1, 15.84 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("ends missed 2, 1.18 px off")),
         ],
     ),
@@ -188,7 +189,7 @@ const TABLE: &[Case<Ends>] = &[
             ("transposed", Fails("1.00 px off")),
             ("slope", Fails("ends missed 1, 1676.07 px off")),
             ("fraction", Fails("0.51 px off")),
-            ("scaled, bresenham, wu", Exact),
+            ("scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.83 px off")),
         ],
     ),
@@ -201,7 +202,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("1.15 px off, reversed differs")),
             ("transposed", Fails("1.15 px off")),
             ("slope", Fails("ends missed 1, 1.00 px off")),
-            ("fraction, scaled, bresenham, wu", Exact),
+            ("fraction, scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.80 px off")),
         ],
     ),
@@ -213,7 +214,7 @@ const TABLE: &[Case<Ends>] = &[
             ("per-column", Fails("ends missed 2, 2147483647.00 px off, reversed differs")),
             ("transposed, slope", Fails("ends missed 2, 2147483647.00 px off")),
             ("fraction", Fails("ends missed 1, 7.00 px off")),
-            ("scaled, bresenham, wu", Exact),
+            ("scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.80 px off")),
         ],
     ),
@@ -226,7 +227,7 @@ const TABLE: &[Case<Ends>] = &[
             ("transposed", Fails("ends missed 2, 2147483648.00 px off")),
             ("slope", Fails("ends missed 1, 2147483647.65 px off")),
             ("fraction", Fails("ends missed 1, 7.00 px off")),
-            ("scaled, bresenham, wu", Exact),
+            ("scaled, bresenham, wu, distance", Exact),
             ("listing", Fails("0.80 px off")),
         ],
     ),
@@ -252,11 +253,12 @@ fn faults(method: &Method<Line>, segment: Ends) -> Vec<String> {
     let [mut forth, mut back] = [walked(method, [a, b]), walked(method, [b, a])];
     let report = measure(a, b, &places(&forth));
     let smooth = forth.iter().any(|pixel| pixel.2 < 255);
-    let (error, allowed, doubled) = if smooth {
-        (largest_smooth(a, b, &forth), 1.0 / 255.0, 0)
-    } else {
-        (report.largest, 0.5, report.doubled)
+    let (error, allowed) = match (method.name, smooth) {
+        ("distance", _) => (thickness(a, b, &forth).largest, 0.1),
+        (_, true) => (largest_smooth(a, b, &forth), 1.0 / 255.0),
+        (_, false) => (report.largest, 0.5),
     };
+    let doubled = if smooth { 0 } else { report.doubled };
     let mut faults = counted([
         ("gaps", report.gaps as usize),
         ("doubled", doubled as usize),
@@ -276,7 +278,7 @@ fn faults(method: &Method<Line>, segment: Ends) -> Vec<String> {
 
 /// A segment of which a window of 20×20 px shows a piece.
 #[test]
-fn what_cannot_be_seen_costs_bresenham_and_wu_nothing() {
+fn what_cannot_be_seen_costs_the_last_three_nothing() {
     let (a, b) = (IVec2::new(-100_000, -7), IVec2::new(100_000, 32));
     for row in METHODS {
         let (mut plotted, mut seen) = (0, Vec::new());
@@ -290,7 +292,7 @@ fn what_cannot_be_seen_costs_bresenham_and_wu_nothing() {
             "step-0.1" => (10, 1),
             "step-0.01" => (101, 1),
             "bresenham" => (20, 20),
-            "wu" => (40, 40),
+            "wu" | "distance" => (40, 40),
             _ => (200_001, 20),
         };
         assert_eq!((plotted, seen.len()), expected, "{}", row.name);
@@ -446,4 +448,21 @@ fn wu_is_wider_and_all_are_pale_on_a_slope() {
         let wrong = told.into_iter().filter(|(value, _)| (value - 1.0).abs() > 0.005);
         wrong.map(|(value, what)| format!("{value:.2} {what}")).collect::<Vec<_>>()
     });
+}
+
+/// Held against a line 1 px thick, pixel by pixel: the steeper, the more `wu` lacks; `distance` stays within 1/10.
+#[test]
+fn wu_lacks_ink_the_steeper_it_is_and_distance_does_not() {
+    for (rise, wu, distance) in [
+        (0, "1.00, off by 0.00", "1.00, off by 0.00"),
+        (80, "0.93, off by 0.07", "1.01, off by 0.07"),
+        (200, "0.71, off by 0.25", "1.12, off by 0.09"),
+    ] {
+        for (name, expected) in [("wu", wu), ("distance", distance)] {
+            let [a, b] = ends([0, 0, 200, rise]);
+            let method = Method::find(METHODS, name).expect("the lesson has it");
+            let found = thickness(a, b, &walked(method, [a, b]));
+            assert_eq!(format!("{:.2}, off by {:.2}", found.ink, found.largest), expected, "{name}, {rise}");
+        }
+    }
 }

@@ -55,6 +55,16 @@ const TABLE: &[Case<Given>] = &[
         ((-1e-9, 0.0), (4, 4)),
         &[("truncate, round, nearest, repeat", Exact)],
     ),
+    (
+        "10^6 and some, both ways",
+        ((1e6 + 0.375, -1e6 + 0.375), (4, 4)),
+        &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)],
+    ),
+    (
+        "2^23 - 1/2, the last place inside a tile",
+        ((8_388_607.5, 0.0), (4, 4)),
+        &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)],
+    ),
     ("10^10", ((1e10, 1e10), (4, 4)), &[("truncate, round", Fails("black")), ("nearest, repeat", Exact)]),
     ("NaN", ((f32::NAN, f32::NAN), (4, 4)), ALL_EXACT),
     (

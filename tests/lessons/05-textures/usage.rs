@@ -9,10 +9,20 @@ fn what_holds_for_every_lesson() {
 }
 
 #[test]
+fn outside_a_texture_is_its_border_or_the_texture_again() {
+    usage::check_wrap(&LESSON, 80, &[]);
+}
+
+#[test]
 fn wrong_command_lines() {
     usage::refuses(
         &LESSON,
         &[
+            (
+                &["--wrap", "clamp", "--method", "repeat"],
+                "'--wrap <clamp|repeat>' cannot be used with '--method",
+            ),
+            (&["--wrap", "clamp", "--compare", "nearest,repeat"], "cannot be used with '--compare"),
             (&["--distance", "2"], "unexpected argument '--distance'"),
             (&["--light", "0,nan,1"], "--light <x,y,z>"),
         ],

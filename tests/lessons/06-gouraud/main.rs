@@ -5,7 +5,7 @@ mod stability;
 mod usage;
 
 use common::{Attributes, Color, Format, Image, Model, Vec3};
-use gouraud::{METHODS, Scene, corner_normals};
+use gouraud::{METHODS, Scene, Wrap, corner_normals};
 use verify::method;
 
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
@@ -14,5 +14,8 @@ const BOTH: Attributes = Attributes { normals: true, uvs: true };
 fn draw(model: &Model, light: Vec3, name: &str, picture: &mut Image) {
     let mut white = Image::new(1, 1, Format::Gray);
     white.set(0, 0, Color::WHITE);
-    method(METHODS, name)(&Scene { model, normals: &corner_normals(model), texture: &white, light }, picture);
+    method(METHODS, name)(
+        &Scene { model, normals: &corner_normals(model), texture: &white, wrap: Wrap::Clamp, light },
+        picture,
+    );
 }

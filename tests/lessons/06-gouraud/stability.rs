@@ -181,6 +181,11 @@ fn normals_are_the_files_made_1_long_or_else_computed() {
             Vec3::new(-0.69, -0.04, 0.99).normalize(),
         ),
         (
+            "the same, where f64 rounds as well",
+            "v .182 .803 -.955\nv .009 .004 .452\nv .005 .001 -.538\nf 5/1 6/1 7/1\nf 7/1 6/1 5/1\n",
+            Vec3::new(0.976_135, -0.217_139_83, -0.003_286),
+        ),
+        (
             "missing, and the areas are no f32",
             "v 3e38 0 0\nv 0 3e38 0\nv 0 0 3e38\nf 5/1 6/1 7/1\n",
             Vec3::ONE.normalize(),

@@ -9,6 +9,11 @@ fn what_holds_for_every_lesson() {
 }
 
 #[test]
+fn outside_a_texture_is_its_border_or_the_texture_again() {
+    usage::check_wrap(&LESSON, 80, &[]);
+}
+
+#[test]
 fn wrong_command_lines() {
     usage::refuses(&LESSON, &[(&["--eye", "1,1,1"], "unexpected argument '--eye'")]);
 }

@@ -272,6 +272,10 @@ fn gimbal_lock_makes_two_angles_one() {
     }
     let angles = euler_angles(locked(50.0, 20.0));
     assert!((angles.x - 90.0).abs() < 0.03, "{angles}");
+    // At just 90° all of the turn is given to y.
+    let up = Mat3::from_cols(Vec3::X, Vec3::Z, Vec3::NEG_Y);
+    let angles = euler_angles(rotate_y(50.0) * up);
+    assert!((angles - Vec3::new(90.0, 50.0, 0.0)).length() < 1e-4, "{angles}");
 }
 
 /// At a pitch of exactly 90° the whole turn is y's, and z is 0; just below, each has its own, as far as the digits go.

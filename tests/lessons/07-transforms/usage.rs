@@ -14,6 +14,11 @@ fn what_reaches_behind_the_eye_is_left_out() {
 }
 
 #[test]
+fn outside_a_texture_is_its_border_or_the_texture_again() {
+    usage::check_wrap(&LESSON, 80, &[]);
+}
+
+#[test]
 fn wrong_command_lines() {
     usage::refuses(
         &LESSON,

@@ -6,17 +6,17 @@ use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_each_text, a
 
 const SCENE: [&str; 6] = ["--size", "200x200", "--model", SPHERE, "--texture", CRATE];
 
-/// A letter about a centre off the origin, from the side: `lookat` brings it to the middle, `listing` does not.
+/// A letter about a centre off the origin, from the side: `listing` does not bring it to the middle, the others do.
 #[test]
 fn every_method_looks_at_a_letter() {
     let center = Vec3::new(7.0, 2.0, -3.0);
     let eye = center + Vec3::new(-12.0, 3.0, 16.0);
     assert_each_text(&LESSON, "letter", METHODS, |method| {
         let view = (method.run)(eye, center, Vec3::Y).unwrap();
-        let all = translate(Vec3::new(20.5, 12.5, 0.0)) * projection(eye.distance(center)) * view;
+        let all = translate(Vec3::new(20.5, 12.5, 0.0)) * projection(eye.distance(center)) * view.matrix;
         let mut image = Image::new(41, 25, Format::Gray);
         for corners in letter() {
-            let placed = corners.map(|corner| place(&all, corner + center).unwrap().truncate());
+            let placed = corners.map(|corner| place(&all, corner + center - view.origin).unwrap().truncate());
             fill(placed, image.bounds(), |x, y, _| image.set(x, y, Color::WHITE));
         }
         image

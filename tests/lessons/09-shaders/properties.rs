@@ -57,7 +57,14 @@ fn draw(
     way: &str,
 ) -> (Framebuffer, usize) {
     let normals = corner_normals(model);
-    let uniforms = Uniforms { model, normals: &normals, texture: Some(texture), light, to_clip, levels };
+    let uniforms = Uniforms {
+        normals: &normals,
+        texture: Some(texture),
+        light,
+        to_clip,
+        levels,
+        ..Uniforms::new(model)
+    };
     let mut target = Framebuffer::new(Image::new(SIDE, SIDE, Format::Rgb));
     let left_out = method(METHODS, way)(method(SHADERS, shader))(&uniforms, &mut target);
     (target, left_out)

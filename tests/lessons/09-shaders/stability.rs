@@ -6,8 +6,10 @@ use gouraud::corner_normals;
 use shaders::lighting::{Lighting, Quantized};
 use shaders::shader::{Fragment, Shader, render};
 use shaders::target::Target;
-use shaders::{Framebuffer, METHODS, SHADERS, Uniforms, fit};
+use shaders::{Framebuffer, LESSON, METHODS, SHADERS, Uniforms, fit};
 use transforms::projection;
+use verify::stability::Must::{Exact, Fails};
+use verify::stability::{Case, counted, every_method};
 use verify::{SPHERE, method};
 
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
@@ -52,8 +54,13 @@ fn the_shaders_draw_what_lessons_4_to_6_drew() {
     let textured_depths =
         (method(textures::METHODS, "nearest").draw)(&model, &texture, Vec3::Z, &mut textured);
     let mut smooth = blank;
-    let smooth_scene =
-        gouraud::Scene { model: &model, normals: &corner_normals(&model), texture: &texture, light: Vec3::Z };
+    let smooth_scene = gouraud::Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &texture,
+        wrap: gouraud::Wrap::Clamp,
+        light: Vec3::Z,
+    };
     let smooth_depths = method(gouraud::METHODS, "gouraud")(&smooth_scene, &mut smooth).depths;
     for (shader, picture, depths) in [
         ("flat", &flat, &flat_depths),
@@ -165,28 +172,70 @@ fn one_level_is_black() {
     assert!(target.depths == smooth.depths);
 }
 
-/// Triangles with a corner at w ≤ 1e-6 are left out and counted, once each.
+/// A face that is seen from a distance of 2, and corners for others: at the eye's height, behind it, at w = 2⁻¹⁹ and at
+/// w = 2⁻²⁰.
+const SEEN: &str = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 2\nv 0 0 9\nv 0 3 1.999996185302734375\n\
+    v 0 3 1.9999980926513671875\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n";
+
+/// Further faces, and how many triangles each shader leaves out since a corner is at w ≤ 1e-6.
+const NEAR: &[Case<&str>] = &[
+    (
+        "three that reach behind the eye, two of which face away from the light",
+        "f 1/1/1 2/1/1 4/1/1\nf 1/1/1 2/1/1 5/1/1\nf 4/1/1 4/1/1 5/1/1\n",
+        &[
+            // The flat shaders reject what faces away before anyone knows where it is.
+            ("flat, flat-texture", Fails("left out 1")),
+            ("gouraud, gouraud-texture, quantized", Fails("left out 3")),
+        ],
+    ),
+    (
+        "a corner at w = 1.9e-6",
+        "f 1/1/1 2/1/1 6/1/1\n",
+        &[("flat, flat-texture, gouraud, gouraud-texture, quantized", Exact)],
+    ),
+    (
+        "a corner at w = 9.5e-7",
+        "f 1/1/1 2/1/1 7/1/1\n",
+        &[("flat, flat-texture, gouraud, gouraud-texture, quantized", Fails("left out 1"))],
+    ),
+];
+
 #[test]
 fn what_reaches_behind_the_eye_is_left_out_and_counted() {
-    let text = b"v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 2\nv 0 0 9\nvt 0 0\nvn 0 0 1\n\
-                 f 1/1/1 2/1/1 3/1/1\nf 1/1/1 2/1/1 4/1/1\nf 1/1/1 2/1/1 5/1/1\nf 4/1/1 4/1/1 5/1/1\n";
-    let (model, texture) = (Model::parse(text, BOTH).unwrap(), texture());
-    let normals = corner_normals(&model);
-    let all = Uniforms {
-        normals: &normals,
-        texture: Some(&texture),
-        light: Vec3::new(0.0, 0.6, 0.8),
-        to_clip: to_clip(0.4, 2.0),
-        ..Uniforms::new(&model)
-    };
-    for shader in SHADERS {
-        for way in METHODS {
-            let (target, left_out) = drawn(&all, shader.name, way.name, 20);
-            // The flat shaders reject what faces away, here two of the three, before anyone knows where it is.
-            let expected = if shader.name.starts_with("flat") { 1 } else { 3 };
-            assert_eq!(left_out, expected, "{}, {}", shader.name, way.name);
-            assert!(target.depths.get(10, 10) == 0.0);
-        }
+    every_method(LESSON.name, SHADERS, NEAR, |shader, faces| {
+        let (model, texture) = (Model::parse(format!("{SEEN}{faces}").as_bytes(), BOTH).unwrap(), texture());
+        let normals = corner_normals(&model);
+        let all = Uniforms {
+            normals: &normals,
+            texture: Some(&texture),
+            light: Vec3::new(0.0, 0.6, 0.8),
+            to_clip: to_clip(0.4, 2.0),
+            ..Uniforms::new(&model)
+        };
+        let [by_dyn, by_generic] = ["dyn", "generic"].map(|way| {
+            let (target, left_out) = drawn(&all, shader.name, way, 20);
+            // The first face is at depth 0; what is not left out lies over it.
+            assert_eq!(target.depths.get(10, 10) == 0.0, left_out > 0, "{way}");
+            left_out
+        });
+        counted([("left out", by_dyn), ("by one way alone", by_dyn.abs_diff(by_generic))])
+    });
+}
+
+/// From the eye at z = 2, a corner at z has w = 1 − z/2: 5e-6 is still in front of it, 5e-7 is not.
+#[test]
+fn just_before_the_eye_is_before_it() {
+    for (z, left_out) in [(1.99999, 0), (1.999_999, 1)] {
+        let text = format!("v -1 -1 0\nv 1 -1 0\nv 0 0 {z}\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n");
+        let (model, texture) = (Model::parse(text.as_bytes(), BOTH).unwrap(), texture());
+        let normals = corner_normals(&model);
+        let all = Uniforms {
+            normals: &normals,
+            texture: Some(&texture),
+            to_clip: to_clip(0.4, 2.0),
+            ..Uniforms::new(&model)
+        };
+        assert_eq!(drawn(&all, "gouraud", "generic", 20).1, left_out, "{z}");
     }
 }
 
@@ -202,10 +251,17 @@ fn a_floor_warps_under_perspective() {
     for (x, y, _) in texture.clone().pixels() {
         texture.set(x, y, Color::rgb(x as u8, y as u8, 255));
     }
-    let warp = |distance: f32| {
+    let normals = corner_normals(&model);
+    let warp = |shader: &str, distance: f32| {
         let to_clip = to_clip(0.4, distance);
-        let floor = Uniforms { light: Vec3::Y, texture: Some(&texture), to_clip, ..Uniforms::new(&model) };
-        let (target, _) = drawn(&floor, "flat-texture", "generic", 200);
+        let floor = Uniforms {
+            normals: &normals,
+            light: Vec3::Y,
+            texture: Some(&texture),
+            to_clip,
+            ..Uniforms::new(&model)
+        };
+        let (target, _) = drawn(&floor, shader, "generic", 200);
         let seen = target.image.pixels().filter(|pixel| pixel.2.b > 0);
         let eye = DVec3::Z * f64::from(distance);
         let errors = seen.map(|(x, y, color)| {
@@ -223,8 +279,11 @@ fn a_floor_warps_under_perspective() {
         // farther its far side is than its near one.
         let root = f64::from((distance + 1.0) / (distance - 1.0)).sqrt();
         let expected = 256.0 * (root - 1.0) / (root + 1.0);
-        let largest = warp(distance);
-        assert!((largest - expected).abs() < 1.0, "from {distance}: {largest} texels, not {expected}");
+        for shader in ["flat-texture", "gouraud-texture"] {
+            let largest = warp(shader, distance);
+            let what = format!("{shader} from {distance}: {largest} texels, not {expected}");
+            assert!((largest - expected).abs() < 1.0, "{what}");
+        }
     }
 }
 

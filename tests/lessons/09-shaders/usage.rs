@@ -15,6 +15,13 @@ fn what_holds_for_a_view() {
 }
 
 #[test]
+fn outside_a_texture_is_its_border_or_the_texture_again() {
+    for shader in ["flat-texture", "gouraud-texture"] {
+        usage::check_wrap(&LESSON, 100, &["--eye", "0,0,2", "--shader", shader]);
+    }
+}
+
+#[test]
 fn wrong_command_lines() {
     usage::refuses(
         &LESSON,

@@ -9,9 +9,9 @@
 //! Each lesson's mission is a package in `tests/lessons/NN-name/tasks`. It calls nothing that the mission asks for.
 
 mod code;
-mod program;
 mod raw;
 pub mod scenery;
+mod student;
 
 use std::path::Path;
 
@@ -19,8 +19,8 @@ use common::Vec3;
 use fastrand::Rng;
 
 pub use code::Code;
-pub use program::attempt;
 pub use raw::{Answer, Raw};
+pub use student::attempt;
 
 /// The course's folder.
 pub const COURSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");

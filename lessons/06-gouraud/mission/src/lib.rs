@@ -31,7 +31,8 @@ pub fn intensities(normals: [Vec3; 3], light: Vec3) -> Vec3 {
 ///
 /// `place` puts a point of the model into the picture (x and y in pixels, z the depth) or nowhere: a triangle
 /// with a corner without a place is left out, and counted in [`Drawn::left_out`]. Nothing else is left out:
-/// what faces away is black. `scene.normals[n]` are the normals of triangle n.
+/// what faces away is black. `scene.normals[n]` are the normals of triangle n. `scene.wrap` is `Clamp` here, which
+/// is what `texel` does.
 pub fn gouraud(scene: &Scene, image: &mut Image, place: impl Fn(Vec3) -> Option<Vec3>) -> Drawn {
     let _ = (scene, image, place);
     todo!(

@@ -2,7 +2,7 @@
 
 use common::{Color, Image, Model, Vec3};
 use fastrand::Rng;
-use gouraud::{Drawn, Scene, corner_normals};
+use gouraud::{Drawn, Scene, Wrap, corner_normals};
 use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, Square, TEXTURE, TEXTURE_CODE, canvas, direction};
 use tasks::scenery::{squares, squares_code};
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
@@ -105,7 +105,7 @@ pub const MISSION: Mission<Gouraud> = Mission {
 
 /// The course's model, texture and light.
 fn scene(normals: &[[Vec3; 3]]) -> Scene<'_> {
-    Scene { model: &MODEL, normals, texture: &TEXTURE, light: LIGHT }
+    Scene { model: &MODEL, normals, texture: &TEXTURE, wrap: Wrap::Clamp, light: LIGHT }
 }
 
 /// The triangles of a model in a square picture.
@@ -120,7 +120,7 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
         "{}let mut texture = Image::new(1, 1, Format::Rgb);\ntexture.set(0, 0, Color::WHITE);\n\
          let mut got = Image::new(80, 80, Format::Rgb);\nlet size = got.size();\n\
          let normals = corner_normals(&model);\n\
-         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, light: Vec3::Z }};\n\
+         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: Vec3::Z }};\n\
          gouraud(&scene, &mut got, |p| Some(zbuffer::to_screen(p, size)));",
         squares_code(four)
     );
@@ -132,7 +132,8 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
         let mut image = canvas(80, 80);
         let size = image.size();
         let normals = corner_normals(&model);
-        let scene = Scene { model: &model, normals: &normals, texture: &white, light: Vec3::Z };
+        let scene =
+            Scene { model: &model, normals: &normals, texture: &white, wrap: Wrap::Clamp, light: Vec3::Z };
         (student.gouraud)(&scene, &mut image, &|p| Some(zbuffer::to_screen(p, size)));
         Raw::Picture(image)
     })
@@ -177,7 +178,7 @@ fn part(code: &str) -> &str {
 fn whole_code(place: &str) -> String {
     format!(
         "{MODEL_CODE}{TEXTURE_CODE}let normals = corner_normals(&model);\n\
-         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, light: {} }};\n\
+         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
          let mut image = Image::new({SIDE}, {SIDE}, Format::Rgb);\nlet size = image.size();\n\
          let drawn = gouraud(&scene, &mut image, {place});\n",
         LIGHT.code()

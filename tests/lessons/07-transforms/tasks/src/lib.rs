@@ -2,7 +2,7 @@
 
 use common::{Mat4, Vec3};
 use fastrand::Rng;
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, point, signed};
 use tasks::{Check, Code, Mission, Precision, Raw, Task};
 
@@ -116,7 +116,7 @@ fn picture(d: f32) -> Task<Transforms> {
         "{MODEL_CODE}{TEXTURE_CODE}let mut got = Image::new({width}, {height}, Format::Rgb);\n\
          let all = viewport({width}.0, {height}.0, 0.4) * projection({});\n\
          let normals = gouraud::corner_normals(&model);\n\
-         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, light: {} }};\n\
+         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
          gouraud::gouraud(&scene, &mut got, |p| place(&all, p));",
         d.code(),
         LIGHT.code()
@@ -127,8 +127,13 @@ fn picture(d: f32) -> Task<Transforms> {
     Task::new(format!("the model, {width}x{height}, d = {d}"), code, move |student: &Transforms| {
         let mut image = canvas(width, height);
         let all = all(student);
-        let scene =
-            Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+        let scene = Scene {
+            model: &MODEL,
+            normals: &corner_normals(&MODEL),
+            texture: &TEXTURE,
+            wrap: Wrap::Clamp,
+            light: LIGHT,
+        };
         gouraud::gouraud(&scene, &mut image, |p| (student.place)(&all, p));
         Raw::Picture(image)
     })

@@ -2,7 +2,7 @@
 
 use common::{Mat3, Mat4, Vec3};
 use fastrand::Rng;
-use gouraud::{Scene, corner_normals};
+use gouraud::{Scene, Wrap, corner_normals};
 use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, direction, point};
 use tasks::{Check, Code, Mission, Precision, Raw, Task};
 use transforms::{place, projection, viewport};
@@ -104,7 +104,7 @@ fn picture() -> Task<Camera> {
          let all = transforms::viewport(size.x, size.y, 0.3)\n    \
          * transforms::projection(eye.distance(center))\n    * view;\n\
          let normals = gouraud::corner_normals(&model);\n\
-         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, light: {} }};\n\
+         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
          gouraud::gouraud(&scene, &mut got, |p| transforms::place(&all, p));",
         VIEW[0].code(),
         VIEW[1].code(),
@@ -120,8 +120,13 @@ fn picture() -> Task<Camera> {
     Task::new("the model from (1, 1, 2) towards (0.2, 0, 0)", code, move |student: &Camera| {
         let all = all(student);
         let mut image = canvas(SIDE, SIDE);
-        let scene =
-            Scene { model: &MODEL, normals: &corner_normals(&MODEL), texture: &TEXTURE, light: LIGHT };
+        let scene = Scene {
+            model: &MODEL,
+            normals: &corner_normals(&MODEL),
+            texture: &TEXTURE,
+            wrap: Wrap::Clamp,
+            light: LIGHT,
+        };
         gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
         Raw::Picture(image)
     })

@@ -1,0 +1,409 @@
+//! The card that every chart is drawn on: words, axes, marks, and its two layouts.
+//!
+//! A chart is drawn twice: as wide as the book's column, and as wide as a telephone. No letter is smaller than 12 px
+//! in either. Colours are classes of a style sheet, so that the same file suits a light and a dark page. (Plotting
+//! crates were looked at in 2026: plotters and kuva write fixed colours into each element and know one layout, and
+//! neither keeps labels off marks, which is most of what is done here.)
+
+use svg::node::element::{Circle, Group, Path, Rectangle, Style, Text, Title, path::Data};
+use svg::{Document, Node};
+
+use super::place::{Label, Rect};
+
+/// How large a chart and its letters are, in px.
+#[derive(Debug)]
+pub(crate) struct Layout {
+    /// Behind the name of the chart's file.
+    pub(crate) ending: &'static str,
+    pub(crate) width: f64,
+    plot_height: f64,
+    /// Heights of the letters of the title, of labels and of everything else.
+    title: f64,
+    pub(crate) label: f64,
+    text: f64,
+    /// Room for the texts along the upright axis.
+    left: f64,
+    /// Between the borders of the card and what is on it.
+    margin: f64,
+}
+
+/// As wide as the book's column, and as wide as that of a telephone.
+pub(crate) const LAYOUTS: [Layout; 2] = [
+    Layout {
+        ending: "",
+        width: 740.0,
+        plot_height: 360.0,
+        title: 18.0,
+        label: 13.5,
+        text: 13.0,
+        left: 58.0,
+        margin: 18.0,
+    },
+    Layout {
+        ending: "-narrow",
+        width: 350.0,
+        plot_height: 380.0,
+        title: 16.0,
+        label: 12.5,
+        text: 12.5,
+        left: 46.0,
+        margin: 10.0,
+    },
+];
+
+/// How many colours tell methods apart; the next ones are dashed.
+const HUES: usize = 6;
+
+/// Each hue on a light page and on a dark one: after Okabe and Ito (*Color Universal Design*, 2008), darker or
+/// lighter, so that letters in them can be read.
+const COLORS: [[&str; 2]; HUES] = [
+    ["#0068ab", "#63b3ec"],
+    ["#bf4e00", "#f59a4c"],
+    ["#00745a", "#45c9a1"],
+    ["#a03d7a", "#e39ac6"],
+    ["#7d6200", "#e2bf45"],
+    ["#53575d", "#b9bfc6"],
+];
+
+/// The other colours: names, and what they are on a light page and on a dark one.
+const GROUNDS: [(&str, &str, [&str; 2]); 6] = [
+    ("card", "fill", ["#fdfcf9", "#1d2127"]),
+    ("band", "fill", ["#f1eee5", "#282d35"]),
+    ("grid", "stroke", ["#e4e0d6", "#363c45"]),
+    ("ink", "fill", ["#23272c", "#e3e5e8"]),
+    ("soft", "fill", ["#555b62", "#a9afb7"]),
+    ("rule", "stroke", ["#555b62", "#a9afb7"]),
+];
+
+/// The style sheet.
+fn style(layout: &Layout) -> String {
+    let rules = |theme: usize| -> String {
+        let grounds =
+            GROUNDS.iter().map(|(name, property, colors)| format!(".{name}{{{property}:{}}}", colors[theme]));
+        let hues = COLORS
+            .iter()
+            .enumerate()
+            .map(|(n, colors)| format!(".f{n}{{fill:{0}}}.s{n}{{stroke:{0}}}", colors[theme]));
+        grounds.chain(hues).collect()
+    };
+    format!(
+        "text{{font:{}px 'Source Sans 3','Open Sans','Noto Sans',Helvetica,Arial,sans-serif}}{}\
+         @media(prefers-color-scheme:dark){{{}}}",
+        layout.text,
+        rules(0),
+        rules(1)
+    )
+}
+
+/// The room that a text takes: no font that readers are likely to have is wider.
+pub(crate) fn text_width(text: &str, height: f64) -> f64 {
+    text.chars().count() as f64 * height * 0.55
+}
+
+/// A text in lines of at most that width, where it has spaces.
+fn wrap(text: &str, height: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut().filter(|line| text_width(&format!("{line} {word}"), height * 0.9) <= width) {
+            Some(line) => *line = format!("{line} {word}"),
+            None => lines.push(word.into()),
+        }
+    }
+    lines
+}
+
+/// An axis: where it begins and ends, in decades, and what stands along it.
+#[derive(Clone, Debug)]
+pub(crate) struct Axis {
+    pub(crate) label: String,
+    pub(crate) range: [f64; 2],
+    /// Places and their texts.
+    pub(crate) ticks: Vec<(f64, String)>,
+    /// Stretches that are no part of the scale, as that of what is exact.
+    pub(crate) bands: Vec<[f64; 2]>,
+}
+
+/// The words around a chart.
+pub(crate) struct Words {
+    /// What was found.
+    pub(crate) title: String,
+    /// How to read it, under the title.
+    pub(crate) reading: String,
+    /// Paragraphs at the foot.
+    pub(crate) caption: Vec<String>,
+}
+
+/// Ways to mark a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Mark {
+    Disc,
+    Ring,
+    Halo,
+    Square,
+    Cross,
+    Dot,
+}
+
+/// A chart that is being drawn, in px, y down.
+pub(crate) struct Card {
+    document: Document,
+    pub(crate) layout: &'static Layout,
+    /// Where the data are.
+    pub(crate) plot: Rect,
+    ranges: [[f64; 2]; 2],
+}
+
+impl Card {
+    /// Draws words and axes.
+    pub(crate) fn new(layout: &'static Layout, words: &Words, [x, y]: [&Axis; 2]) -> Self {
+        let Layout { width, margin, title, text, left, .. } = *layout;
+        let wide = width - 2.0 * margin;
+        let heading = wrap(&words.title, title * 1.04, wide);
+        let reading = wrap(&words.reading, text, wide);
+        let caption: Vec<String> = words.caption.iter().flat_map(|line| wrap(line, 12.0, wide)).collect();
+        let [across, upright] = [x, y].map(|axis| wrap(&axis.label, text, wide));
+        // Heights of lines, and from line to line.
+        let (heading_step, step, small) = (title * 1.25, text * 1.35, 16.0);
+        let title_top = margin + title;
+        let reading_top = title_top + (heading.len() - 1) as f64 * heading_step + 8.0 + text;
+        let upright_top = reading_top + (reading.len() - 1) as f64 * step + 10.0 + text;
+        let top = upright_top + (upright.len() - 1) as f64 * step + 8.0;
+        let bottom = top + layout.plot_height;
+        let across_top = bottom + 18.0 + 8.0 + text;
+        let caption_top = across_top + (across.len() - 1) as f64 * step + 24.0;
+        let height = (caption_top + (caption.len().max(1) - 1) as f64 * small + margin * 0.7).ceil();
+
+        let plot = Rect { left: margin + left, top, right: width - margin, bottom };
+        let document = Document::new()
+            .set("viewBox", (0, 0, width, height))
+            .set("width", width)
+            .set("height", height)
+            .add(Title::new(words.title.clone()))
+            .add(Style::new(style(layout)))
+            .add(
+                Rectangle::new().set("class", "card").set("width", width).set("height", height).set("rx", 8),
+            );
+        let mut card = Self { document, layout, plot, ranges: [x.range, y.range] };
+
+        let lines = |lines: &[String], card: &mut Self, top: f64, step: f64, class: &str, size: f64, bold| {
+            for (n, line) in lines.iter().enumerate() {
+                card.text(line, [margin, top + n as f64 * step], class, "start", size, bold);
+            }
+        };
+        lines(&heading, &mut card, title_top, heading_step, "ink", title, true);
+        lines(&reading, &mut card, reading_top, step, "soft", text, false);
+        lines(&upright, &mut card, upright_top, step, "ink", text, false);
+        lines(&caption, &mut card, caption_top, small, "soft", 12.0, false);
+        for (n, line) in across.iter().enumerate() {
+            card.text(line, [plot.right, across_top + n as f64 * step], "ink", "end", text, false);
+        }
+        card.axes(x, y);
+        card
+    }
+
+    fn axes(&mut self, x: &Axis, y: &Axis) {
+        let Rect { left, top, right, bottom } = self.plot;
+        for [from, to] in &x.bands {
+            self.rectangle(self.at([*from, y.range[1]]), self.at([*to, y.range[0]]));
+        }
+        for [from, to] in &y.bands {
+            self.rectangle(self.at([x.range[0], *to]), self.at([x.range[1], *from]));
+        }
+        let text = self.layout.text;
+        // Texts that would touch the one before them are left out; those of bands, which stand last, are not.
+        let mut taken: Vec<Rect> = Vec::new();
+        for (at, name) in x.ticks.iter().rev() {
+            let [x, _] = self.at([*at, 0.0]);
+            let half = text_width(name, text) / 2.0;
+            let place =
+                Rect::about([x.clamp(half, self.layout.width - half), bottom + 18.0], 2.0 * half + 8.0, text);
+            self.line([[x, top], [x, bottom]], "grid", 1.0, None);
+            if !taken.iter().any(|other| other.overlaps(&place)) {
+                self.text(
+                    name,
+                    [(place.left + place.right) / 2.0, bottom + 18.0],
+                    "ink",
+                    "middle",
+                    text,
+                    false,
+                );
+                taken.push(place);
+            }
+        }
+        for (at, name) in &y.ticks {
+            let [_, y] = self.at([0.0, *at]);
+            self.line([[left, y], [right, y]], "grid", 1.0, None);
+            self.text(name, [left - 7.0, y + 0.35 * text], "ink", "end", text, false);
+        }
+        self.line([[left, top], [left, bottom], [right, bottom]], "rule", 1.0, None);
+    }
+
+    /// Where a place on the axes is.
+    pub(crate) fn at(&self, place: [f64; 2]) -> [f64; 2] {
+        let share = |n: usize| (place[n] - self.ranges[n][0]) / (self.ranges[n][1] - self.ranges[n][0]);
+        let Rect { left, top, right, bottom } = self.plot;
+        [left + share(0) * (right - left), bottom - share(1) * (bottom - top)]
+    }
+
+    /// Draws straight lines through points.
+    pub(crate) fn line<const N: usize>(
+        &mut self,
+        points: [[f64; 2]; N],
+        class: &str,
+        width: f64,
+        dashes: Option<&str>,
+    ) {
+        self.path(&points, class, width, dashes);
+    }
+
+    /// Draws straight lines through points.
+    pub(crate) fn path(&mut self, points: &[[f64; 2]], class: &str, width: f64, dashes: Option<&str>) {
+        let Some((first, rest)) = points.split_first() else { return };
+        let pair = |point: &[f64; 2]| (tenth(point[0]), tenth(point[1]));
+        let data =
+            rest.iter().fold(Data::new().move_to(pair(first)), |data, point| data.line_to(pair(point)));
+        let mut path =
+            Path::new().set("class", class).set("d", data).set("fill", "none").set("stroke-width", width);
+        if let Some(dashes) = dashes {
+            path = path.set("stroke-dasharray", dashes);
+        }
+        self.document.append(path);
+    }
+
+    fn rectangle(&mut self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) {
+        let rectangle = Rectangle::new().set("class", "band").set("x", tenth(left)).set("y", tenth(top));
+        self.document.append(rectangle.set("width", tenth(right - left)).set("height", tenth(bottom - top)));
+    }
+
+    /// Draws a mark in a method's colour.
+    pub(crate) fn mark(&mut self, [x, y]: [f64; 2], mark: Mark, method: usize, opacity: f64) {
+        let hue = method % HUES;
+        let circle = |radius: f64| Circle::new().set("cx", tenth(x)).set("cy", tenth(y)).set("r", radius);
+        let outlined = |circle: Circle| {
+            circle.set("class", format!("s{hue}")).set("fill", "none").set("stroke-width", 2)
+        };
+        let mut group = Group::new();
+        match mark {
+            Mark::Disc => group.append(circle(5.5).set("class", format!("f{hue}"))),
+            Mark::Dot => group.append(circle(3.0).set("class", format!("f{hue}"))),
+            Mark::Ring => {
+                group.append(circle(4.5).set("class", "card"));
+                group.append(outlined(circle(4.5)));
+            }
+            Mark::Halo => group.append(outlined(circle(8.0))),
+            Mark::Square => {
+                let square = Rectangle::new().set("x", tenth(x - 5.5)).set("y", tenth(y - 5.5));
+                group.append(square.set("width", 11).set("height", 11).set("class", format!("f{hue}")));
+            }
+            Mark::Cross => {
+                let data = [(-5.0, -5.0, 5.0, 5.0), (-5.0, 5.0, 5.0, -5.0)].iter().fold(
+                    Data::new(),
+                    |data, ends| {
+                        let [from, to] = [(ends.0, ends.1), (ends.2, ends.3)]
+                            .map(|(dx, dy)| (tenth(x + dx), tenth(y + dy)));
+                        data.move_to(from).line_to(to)
+                    },
+                );
+                group.append(
+                    Path::new().set("d", data).set("class", format!("s{hue}")).set("stroke-width", 3),
+                );
+            }
+        }
+        self.document.append(if opacity < 1.0 { group.set("opacity", opacity) } else { group });
+    }
+
+    /// Writes a label where it was placed, with its leader.
+    pub(crate) fn label(&mut self, text: &str, label: &Label, method: usize, bold: bool) {
+        if let Some(from) = label.leader {
+            self.line([from, label.anchor], "rule", 0.6, None);
+        }
+        let size = self.layout.label;
+        let at = [label.place.left + 2.0, (label.place.top + label.place.bottom) / 2.0 + 0.35 * size];
+        self.text(text, at, &format!("f{}", method % HUES), "start", size, bold);
+    }
+
+    /// The room that a label takes.
+    pub(crate) fn label_size(&self, text: &str) -> [f64; 2] {
+        [text_width(text, self.layout.label * 1.06) + 4.0, self.layout.label + 3.0]
+    }
+
+    /// Writes a line of text; `at` is its base line.
+    pub(crate) fn text(
+        &mut self,
+        text: &str,
+        at: [f64; 2],
+        class: &str,
+        anchor: &str,
+        size: f64,
+        bold: bool,
+    ) {
+        let mut node = Text::new(text).set("class", class).set("x", tenth(at[0])).set("y", tenth(at[1]));
+        if anchor != "start" {
+            node = node.set("text-anchor", anchor);
+        }
+        let weight = if bold { "font-weight:600;" } else { "" };
+        if bold || size != self.layout.text {
+            node = node.set("style", format!("{weight}font-size:{size}px"));
+        }
+        self.document.append(node);
+    }
+
+    /// The SVG.
+    pub(crate) fn finish(self) -> String {
+        format!("{}\n", self.document)
+    }
+}
+
+/// The class of a line in a method's colour, and its dashes where colours begin again.
+pub(crate) fn stroke(method: usize) -> (String, Option<&'static str>) {
+    (format!("s{}", method % HUES), (method >= HUES).then_some("6 3"))
+}
+
+/// To a tenth of a px, so that files stay small.
+fn tenth(x: f64) -> f64 {
+    (x * 10.0).round() / 10.0
+}
+
+/// The decades from `low` to `high`, both exponents of 10, and the texts of their powers; at most twelve or so.
+pub(crate) fn decades(low: i32, high: i32) -> impl Iterator<Item = (i32, String)> {
+    let step = ((high - low) as usize).div_ceil(12).max(1);
+    (low..=high).step_by(step).map(|exponent| (exponent, power_of_ten(exponent)))
+}
+
+/// A power of ten as it is written.
+pub(crate) fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0..=4 => 10_i64.pow(exponent as u32).to_string(),
+        -3..0 => format!("{:.*}", exponent.unsigned_abs() as usize, 10f64.powi(exponent)),
+        _ => {
+            const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+            let digits = exponent.unsigned_abs().to_string();
+            let raised: String = digits.bytes().map(|digit| RAISED[usize::from(digit - b'0')]).collect();
+            format!("10{}{raised}", if exponent < 0 { "⁻" } else { "" })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_are_plain_where_that_is_short() {
+        let texts = [-12, -3, -1, 0, 4, 5].map(power_of_ten);
+        assert_eq!(texts, ["10⁻¹²", "0.001", "0.1", "1", "10000", "10⁵"]);
+    }
+
+    #[test]
+    fn there_are_never_too_many_decades() {
+        assert_eq!(decades(-3, 2).count(), 6);
+        assert!(decades(-40, 40).count() <= 13);
+    }
+
+    #[test]
+    fn no_line_is_wider_than_it_may_be() {
+        let lines = wrap("one two three four", 10.0, 45.0);
+        assert_eq!(lines, ["one two", "three", "four"]);
+        assert!(LAYOUTS.iter().all(|layout| layout.text >= 12.0 && layout.label >= 12.0));
+    }
+}

@@ -1,0 +1,357 @@
+//! The two kinds of chart: speed against accuracy, and lines of an error or a cost against what makes it larger.
+
+use anyhow::Context;
+
+use super::card::{Axis, Card, Layout, Mark, Words, decades, stroke, text_width};
+use super::place::{Rect, place};
+use super::table::{Quantity, Series};
+
+/// Where values are on a logarithmic axis, and those that have no place on it.
+struct Scale {
+    low: f64,
+    high: f64,
+    width: f64,
+    /// 1 where larger values are to the right or on top, −1 where they are not.
+    sign: f64,
+    /// The names of the columns for infinity and for 0, if there are any.
+    outer: [Option<&'static str>; 2],
+}
+
+impl Scale {
+    /// For these values; the names of what is infinite and of what is 0.
+    fn new(
+        values: &(impl Iterator<Item = f64> + Clone),
+        sign: f64,
+        [failed, none]: [&'static str; 2],
+    ) -> Self {
+        let finite = values.clone().filter(|value| value.is_finite() && *value > 0.0).map(f64::log10);
+        let (low, high) =
+            finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+        let (low, high) = if low > high { (0.0, 0.0) } else { (low.floor(), high.ceil()) };
+        let low = low.min(high - 2.0);
+        let outer = [
+            values.clone().any(f64::is_infinite).then_some(failed),
+            values.clone().any(|value| value == 0.0).then_some(none),
+        ];
+        let [low, high] = if sign < 0.0 { [-high, -low] } else { [low, high] };
+        Self { low, high, width: (high - low) * 0.1, sign, outer }
+    }
+
+    fn at(&self, value: f64) -> f64 {
+        let [below, above] = [self.low - self.width, self.high + self.width];
+        let [none, failed] = if self.sign < 0.0 { [above, below] } else { [below, above] };
+        match value {
+            0.0 => none,
+            _ if value.is_finite() => self.sign * value.log10(),
+            _ => failed,
+        }
+    }
+
+    fn axis(&self, label: String) -> Axis {
+        let [low, high] = if self.sign < 0.0 { [-self.high, -self.low] } else { [self.low, self.high] };
+        let decade = |(exponent, text)| (self.sign * f64::from(exponent), text);
+        let mut ticks: Vec<(f64, String)> = decades(low as i32, high as i32).map(decade).collect();
+        let half = self.width / 2.0;
+        let mut range = [self.low - half, self.high + half];
+        let mut bands = Vec::new();
+        for (name, value) in self.outer.iter().zip([f64::INFINITY, 0.0]) {
+            if let Some(name) = name {
+                let at = self.at(value);
+                ticks.push((at, (*name).into()));
+                range = [range[0].min(at - half), range[1].max(at + half)];
+                bands.push([at - half, at + half]);
+            }
+        }
+        Axis { label, range, ticks, bands }
+    }
+}
+
+/// A chart of speed against accuracy.
+pub(crate) struct Speed<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) title: String,
+    pub(crate) error: &'a Quantity,
+    /// What an error of 0 is called.
+    pub(crate) none: &'static str,
+    /// What the other axis shows.
+    pub(crate) speed: String,
+    /// Whether it is shown as the time for one, in ms, instead of as a throughput.
+    pub(crate) times: bool,
+    pub(crate) dots: Vec<Dot>,
+    pub(crate) caption: Vec<String>,
+}
+
+/// A method in a chart of speed against accuracy.
+pub(crate) struct Dot {
+    pub(crate) name: String,
+    pub(crate) worst: f64,
+    pub(crate) mean: f64,
+    /// The throughput of the slowest build, of the one in the middle, of the fastest.
+    pub(crate) speed: [f64; 3],
+    pub(crate) frontier: bool,
+    /// Whether it does the job.
+    pub(crate) does_it: bool,
+}
+
+/// Draws a chart of speed against accuracy.
+pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<String> {
+    let Quantity { name, unit, limit } = of.error;
+    let errors: Vec<[f64; 2]> = of.dots.iter().map(|dot| [dot.worst, dot.mean]).collect();
+    let x_scale = Scale::new(&errors.iter().flatten().copied().chain([limit.0]), -1.0, ["fails", of.none]);
+    let x = x_scale.axis(format!("{name}, {unit}; more accurate →"));
+    let rates: Vec<[f64; 3]> = of.dots.iter().map(|dot| dot.speed.map(f64::log10)).collect();
+    let y = speed_axis(rates.iter().flatten().copied(), format!("{}; faster ↑", of.speed), of.times);
+    let bars = of.dots.iter().any(|dot| dot.speed[2] > 1.03 * dot.speed[0]);
+    let fails = |dot: &Dot| !dot.does_it || dot.worst.is_infinite();
+    let legend = [
+        ("■ the first method", true),
+        ("● worst case", errors.iter().any(|[worst, mean]| worst != mean)),
+        ("○ mean", errors.iter().any(|[worst, mean]| worst != mean)),
+        ("× does not do the job", of.dots.iter().any(fails)),
+        ("I from the slowest build to the fastest", bars),
+        ("bold, on the line of steps: nothing beats these", true),
+    ];
+    let legend: Vec<&str> = legend.iter().filter(|(_, shown)| *shown).map(|(text, _)| *text).collect();
+    let words = Words { title: of.title.clone(), reading: legend.join(" · "), caption: of.caption.clone() };
+
+    let mut card = Card::new(layout, &words, [&x, &y]);
+    let at = |card: &Card, error: f64, rate: f64| card.at([x_scale.at(error), rate]);
+    let mut obstacles = limit_line(&mut card, x_scale.at(limit.0), limit.1).to_vec();
+
+    let best = of.dots.iter().zip(errors.iter().zip(&rates)).filter(|(dot, _)| dot.frontier);
+    let mut best: Vec<[f64; 2]> = best.map(|(_, (error, rate))| at(&card, error[0], rate[1])).collect();
+    best.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let steps = staircase(&best, &card.plot);
+    card.path(&steps, "rule", 1.2, None);
+    obstacles.extend(steps.windows(2).map(|ends| Rect::around([ends[0], ends[1]], 2.0)));
+
+    let mut anchors = Vec::new();
+    for (n, dot) in of.dots.iter().enumerate() {
+        let [worst, mean] = errors[n].map(|error| at(&card, error, rates[n][1]));
+        let [low, high] = [0, 2].map(|end| at(&card, errors[n][0], rates[n][end]));
+        let opacity = if dot.frontier { 1.0 } else { 0.6 };
+        let (class, _) = stroke(n);
+        if low[1] - high[1] > 12.0 {
+            let cap = |[x, y]: [f64; 2]| [[x - 4.0, y], [x + 4.0, y]];
+            card.line([low, high], &class, 1.5, None);
+            [low, high].into_iter().for_each(|end| card.line(cap(end), &class, 1.5, None));
+            obstacles.push(Rect::around([low, high], 4.0));
+        }
+        if mean != worst {
+            card.line([worst, mean], &class, 0.8, None);
+            card.mark(mean, Mark::Ring, n, opacity);
+            obstacles.push(Rect::around([worst, mean], 1.0));
+            obstacles.push(Rect::about(mean, 11.0, 11.0));
+        }
+        let mark = match n {
+            _ if fails(dot) => Mark::Cross,
+            0 => Mark::Square,
+            _ => Mark::Disc,
+        };
+        card.mark(worst, mark, n, opacity);
+        obstacles.push(Rect::about(worst, 13.0, 13.0));
+        anchors.push((worst, card.label_size(&dot.name)));
+    }
+    for (n, label) in place(&anchors, &obstacles, card.plot).into_iter().enumerate() {
+        let dot = &of.dots[n];
+        let label = label.with_context(|| format!("{}: no room for the label {}", of.name, dot.name))?;
+        card.label(&dot.name, &label, n, dot.frontier);
+    }
+    Ok(card.finish())
+}
+
+/// The vertical line of what cannot be told from exact, with its name on top. Returns where both are.
+fn limit_line(card: &mut Card, at: f64, name: &str) -> [Rect; 2] {
+    let [x, _] = card.at([at, 0.0]);
+    let ends = [[x, card.plot.top], [x, card.plot.bottom]];
+    card.line(ends, "rule", 1.0, Some("5 4"));
+    let size = card.layout.label;
+    let (width, text) = (text_width(name, size), format!("{name} →"));
+    let width = width + 2.0 * size;
+    // To the right of the line, if there is room.
+    let (left, anchor) =
+        if x + 4.0 + width < card.plot.right { (x + 4.0, "start") } else { (x - 4.0 - width, "end") };
+    let from = if anchor == "start" { left } else { x - 5.0 };
+    card.text(&text, [from, card.plot.top + size], "ink", anchor, size, false);
+    [
+        Rect::around([[left, card.plot.top], [left + width, card.plot.top + size + 4.0]], 0.0),
+        Rect::around(ends, 2.0),
+    ]
+}
+
+/// The border of what the points beat: from the left edge over the first one, down and right to the last one,
+/// and down to the foot.
+fn staircase(points: &[[f64; 2]], plot: &Rect) -> Vec<[f64; 2]> {
+    let Some(last) = points.last() else { return Vec::new() };
+    let mut steps = vec![[plot.left, points[0][1]]];
+    for pair in points.windows(2) {
+        steps.extend([pair[0], [pair[0][0], pair[1][1]]]);
+    }
+    steps.extend([*last, [last[0], plot.bottom]]);
+    steps
+}
+
+/// An axis of throughputs, whose logarithms these are, or of the times for one: ticks at 1, 2 and 5 where there
+/// are few decades.
+fn speed_axis(rates: impl Iterator<Item = f64>, label: String, times: bool) -> Axis {
+    let (low, high) =
+        rates.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+    let margin = (0.6 - (high - low)).max(0.0) / 2.0 + 0.12 * (high - low).max(0.5);
+    let range = [low - margin, high + margin];
+    let steps: &[f64] = match range[1] - range[0] {
+        span if span < 0.9 => &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0],
+        span if span < 3.0 => &[1.0, 2.0, 5.0],
+        _ => &[1.0],
+    };
+    let decades = range.map(|end| if times { 3.0 - end } else { end });
+    let decades = decades[0].min(decades[1]).floor() as i32..=decades[0].max(decades[1]).ceil() as i32;
+    let values = decades.flat_map(|exponent| steps.iter().map(move |step| step * 10f64.powi(exponent)));
+    // A time in ms is 1000 over the throughput.
+    let tick = |value: f64| (if times { 3.0 - value.log10() } else { value.log10() }, plain(value));
+    let ticks = values.map(tick).filter(|tick| (range[0]..range[1]).contains(&tick.0)).collect();
+    Axis { label, range, ticks, bands: Vec::new() }
+}
+
+/// A tick's value without noise behind the point.
+fn plain(value: f64) -> String {
+    let digits = if value >= 10.0 { 0 } else { (1.0 - value.log10().floor()) as usize };
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+}
+
+/// A chart of lines.
+pub(crate) struct Lines<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) title: String,
+    pub(crate) reading: String,
+    /// What the horizontal axis shows, and whether it falls to the right.
+    pub(crate) across: String,
+    pub(crate) falling: bool,
+    pub(crate) what: &'a str,
+    pub(crate) unit: &'a str,
+    /// A height to stay under, and its name.
+    pub(crate) limit: Option<(f64, &'a str)>,
+    pub(crate) lines: Vec<Line>,
+    pub(crate) caption: Vec<String>,
+}
+
+/// A line of such a chart.
+#[derive(Clone, Debug)]
+pub(crate) struct Line {
+    pub(crate) name: String,
+    /// The method whose colour it has.
+    pub(crate) method: usize,
+    pub(crate) points: Series,
+    /// The point that is ringed.
+    pub(crate) ringed: Option<usize>,
+    /// Whether a method does the job whose line it is.
+    pub(crate) does_it: bool,
+}
+
+/// Draws a chart of lines.
+pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<String> {
+    let values = || of.lines.iter().flat_map(|line| line.points.iter());
+    let limits = of.limit.map(|limit| limit.0);
+    let y_scale = Scale::new(&values().map(|point| point.1).chain(limits), 1.0, ["fails", "none"]);
+    let y = y_scale.axis(format!("{}, {}; lower is better", of.what, of.unit));
+    let x_scale = Scale::new(&values().map(|point| point.0), if of.falling { -1.0 } else { 1.0 }, ["∞", "0"]);
+    let mut x = x_scale.axis(of.across.clone());
+    // Room for the labels, which stand to the right of the last points.
+    x.range[1] += (x.range[1] - x.range[0]) * 0.28;
+
+    let words = Words { title: of.title.clone(), reading: of.reading.clone(), caption: of.caption.clone() };
+    let mut card = Card::new(layout, &words, [&x, &y]);
+    let mut obstacles = Vec::new();
+    if let Some((limit, name)) = of.limit {
+        let height = card.at([0.0, y_scale.at(limit)])[1];
+        let ends = [[card.plot.left, height], [card.plot.right, height]];
+        card.line(ends, "rule", 1.0, Some("5 4"));
+        let (size, width) = (layout.label, text_width(name, layout.label));
+        let text = [card.plot.right - 4.0, height - 5.0];
+        card.text(name, text, "ink", "end", size, false);
+        obstacles.push(Rect::around(ends, 2.0));
+        obstacles.push(Rect::around([[text[0] - width, height - 5.0 - size], [text[0], height]], 0.0));
+    }
+    let mut anchors = Vec::new();
+    for (n, line) in of.lines.iter().enumerate() {
+        let path: Vec<[f64; 2]> =
+            line.points.iter().map(|point| card.at([x_scale.at(point.0), y_scale.at(point.1)])).collect();
+        let (class, dashes) = stroke(line.method);
+        // The first ones are the thickest, so that lines on top of each other are all seen.
+        let width = 1.8 + 0.6 * (of.lines.len() - 1 - n).min(5) as f64;
+        card.path(&path, &class, width, dashes);
+        path.iter().for_each(|point| card.mark(*point, Mark::Dot, line.method, 1.0));
+        if let Some(ringed) = line.ringed {
+            card.mark(path[ringed], Mark::Halo, line.method, 1.0);
+            obstacles.push(Rect::about(path[ringed], 18.0, 18.0));
+        }
+        obstacles.extend(path.windows(2).flat_map(|ends| along(ends[0], ends[1])));
+        anchors.push((*path.last().unwrap_or(&[0.0; 2]), card.label_size(&line.name)));
+    }
+    for (line, label) in of.lines.iter().zip(place(&anchors, &obstacles, card.plot)) {
+        let label = label.with_context(|| format!("{}: no room for the label {}", of.name, line.name))?;
+        card.label(&line.name, &label, line.method, true);
+    }
+    Ok(card.finish())
+}
+
+/// Small rectangles along a line.
+fn along(a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = Rect> {
+    let count = ((b[0] - a[0]).hypot(b[1] - a[1]) / 8.0).ceil().max(1.0) as u32;
+    (0..=count).map(move |n| {
+        let t = f64::from(n) / f64::from(count);
+        Rect::about([0, 1].map(|i| a[i] + t * (b[i] - a[i])), 9.0, 9.0)
+    })
+}
+
+/// Methods with the same points as one line each.
+pub(crate) fn alike(methods: &[&str], wrong: &[&str], series: &[Series]) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    for (n, (method, points)) in methods.iter().zip(series).enumerate() {
+        match lines.iter_mut().find(|line| line.points == *points) {
+            Some(line) => {
+                line.name.push_str(", ");
+                line.name.push_str(method);
+                line.does_it |= !wrong.contains(method);
+            }
+            None => lines.push(Line {
+                name: (*method).into(),
+                method: n,
+                points: points.clone(),
+                ringed: None,
+                does_it: !wrong.contains(method),
+            }),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_staircase_goes_down_to_the_right() {
+        let plot = Rect { left: 0.0, top: 0.0, right: 100.0, bottom: 80.0 };
+        let steps = staircase(&[[20.0, 10.0], [60.0, 30.0]], &plot);
+        assert_eq!(steps, [[0.0, 10.0], [20.0, 10.0], [20.0, 30.0], [60.0, 30.0], [60.0, 80.0]]);
+        assert!(staircase(&[], &plot).is_empty());
+    }
+
+    #[test]
+    fn methods_with_equal_points_share_a_line() {
+        let lines = alike(&["a", "b", "c"], &["b"], &[vec![(1.0, 0.0)], vec![(1.0, 2.0)], vec![(1.0, 0.0)]]);
+        let lines: Vec<(&str, usize, bool)> =
+            lines.iter().map(|line| (line.name.as_str(), line.method, line.does_it)).collect();
+        assert_eq!(lines, [("a, c", 0, true), ("b", 1, false)]);
+    }
+
+    #[test]
+    fn exact_and_failed_lie_outside_the_scale() {
+        let scale = Scale::new(&[0.01, 10.0, 0.0, f64::INFINITY].into_iter(), -1.0, ["fails", "exact"]);
+        let [failed, worst, best, exact] = [f64::INFINITY, 10.0, 0.01, 0.0].map(|error| scale.at(error));
+        assert!(failed < worst && worst < best && best < exact);
+        let axis = scale.axis(String::new());
+        assert!(axis.range[0] < failed && exact < axis.range[1]);
+    }
+}

@@ -1,0 +1,283 @@
+//! A sheet to draw on: the one look of the book's line drawings.
+//!
+//! What is drawn has coordinates as in the course, y up; the sheet turns them into those of SVG. Every sheet is
+//! 480 units wide, and no letter smaller than 15: on a telephone that still reads. It has a light ground of its
+//! own, so that it looks the same on a light and on a dark page. Colours are Okabe and Ito's, which colour-blind
+//! people can tell apart.
+
+use std::fmt;
+
+use common::Vec2;
+use svg::Document;
+use svg::node::element::{Circle, Line, Path, Polygon, Polyline, Rectangle, Text};
+
+use super::Drawing;
+
+/// Width of every sheet.
+const WIDTH: f32 = 480.0;
+/// Height of letters.
+const LETTER: f32 = 16.0;
+/// Free border.
+const MARGIN: f32 = 14.0;
+/// No sheet is higher; what would be is made narrower instead.
+const HEIGHT: f32 = 430.0;
+
+/// A colour of the book.
+pub(crate) type Ink = &'static str;
+
+/// Letters and outlines.
+pub(crate) const BLACK: Ink = "#22262b";
+/// What is there but not meant.
+pub(crate) const GREY: Ink = "#6b7178";
+/// Grids.
+pub(crate) const FAINT: Ink = "#d3d1c9";
+/// The ground.
+pub(crate) const PAPER: Ink = "#fdfcf9";
+/// First choice for what is meant.
+pub(crate) const BLUE: Ink = "#0072b2";
+/// Second choice, and what is wrong.
+pub(crate) const RED: Ink = "#d55e00";
+/// Third choice, and what is right.
+pub(crate) const GREEN: Ink = "#007a5a";
+/// Fills behind black letters.
+pub(crate) const SKY: Ink = "#9fd3f2";
+/// Fills behind black letters.
+pub(crate) const AMBER: Ink = "#f2c14e";
+/// Fourth choice.
+pub(crate) const PURPLE: Ink = "#a8487f";
+
+/// A drawing, in which a rectangle of the plane can be seen.
+pub struct Sheet {
+    document: Document,
+    low: Vec2,
+    scale: f32,
+    height: f32,
+}
+
+impl Sheet {
+    /// An empty sheet that shows what lies between two corners.
+    #[must_use]
+    pub fn new(low: impl Into<Vec2>, high: impl Into<Vec2>) -> Self {
+        let (low, high) = (low.into(), high.into());
+        let size = high - low;
+        let scale = ((WIDTH - 2.0 * MARGIN) / size.x).min((HEIGHT - 2.0 * MARGIN) / size.y);
+        // What is narrow stands in the middle.
+        let low = low - Vec2::X * ((WIDTH - 2.0 * MARGIN) / scale - size.x) / 2.0;
+        let height = ((high.y - low.y) * scale + 2.0 * MARGIN).ceil();
+        let ground =
+            Rectangle::new().set("width", WIDTH).set("height", height).set("rx", 8).set("fill", PAPER);
+        let document = Document::new()
+            .set("viewBox", (0, 0, WIDTH, height))
+            .set("font-family", "'Source Sans 3', 'Open Sans', 'Noto Sans', Helvetica, Arial, sans-serif")
+            .set("font-size", LETTER)
+            .set("stroke-linejoin", "round")
+            .set("stroke-linecap", "round")
+            .add(ground);
+        Self { document, low, scale, height }
+    }
+
+    /// Width and height in SVG's units.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        (WIDTH as u32, self.height as u32)
+    }
+
+    /// Where on the sheet a point is, to a hundredth of a unit, so that files stay small.
+    fn at(&self, point: impl Into<Vec2>) -> (f32, f32) {
+        let at = (point.into() - self.low) * self.scale;
+        let hundredth = |x: f32| (x * 100.0).round() / 100.0;
+        (hundredth(MARGIN + at.x), hundredth(self.height - MARGIN - at.y))
+    }
+
+    fn add(&mut self, node: impl svg::Node) {
+        svg::Node::append(&mut self.document, node);
+    }
+
+    /// A line of a width in units of the sheet.
+    pub(crate) fn line(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
+        let line = self.segment(from, to, ink, width);
+        self.add(line);
+    }
+
+    /// A dashed line.
+    pub(crate) fn dashed(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
+        let line = self.segment(from, to, ink, width).set("stroke-dasharray", "5 5");
+        self.add(line);
+    }
+
+    fn segment(&self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) -> Line {
+        let ((x1, y1), (x2, y2)) = (self.at(from), self.at(to));
+        Line::new()
+            .set("x1", x1)
+            .set("y1", y1)
+            .set("x2", x2)
+            .set("y2", y2)
+            .set("stroke", ink)
+            .set("stroke-width", width)
+    }
+
+    /// A vector: a line with a point at its end.
+    pub(crate) fn arrow(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink) {
+        const HEAD: f32 = 11.0;
+        let (from, to) = (from.into(), to.into());
+        let along = (to - from).normalize_or_zero() * HEAD / self.scale;
+        let across = along.perp() * 0.42;
+        self.line(from, to - along * 0.6, ink, 2.4);
+        self.polygon(&[to, to - along + across, to - along - across], ink, ink);
+    }
+
+    /// A filled area with an outline; either may be `none`.
+    pub(crate) fn polygon(&mut self, corners: &[Vec2], fill: Ink, outline: Ink) {
+        let points: Vec<String> = corners.iter().map(|&corner| pair(self.at(corner))).collect();
+        self.add(
+            Polygon::new()
+                .set("points", points.join(" "))
+                .set("fill", fill)
+                .set("stroke", outline)
+                .set("stroke-width", 1.8),
+        );
+    }
+
+    /// A rectangle whose sides are level and upright, filled as [`polygon`](Self::polygon) is.
+    pub(crate) fn rectangle(&mut self, low: impl Into<Vec2>, high: impl Into<Vec2>, fill: Ink, outline: Ink) {
+        let (low, high) = (low.into(), high.into());
+        self.polygon(&[low, low.with_x(high.x), high, low.with_y(high.y)], fill, outline);
+    }
+
+    /// A box with words in it.
+    pub(crate) fn labelled(
+        &mut self,
+        center: impl Into<Vec2>,
+        half: impl Into<Vec2>,
+        fill: Ink,
+        words: &str,
+    ) {
+        let (center, half) = (center.into(), half.into());
+        self.rectangle(center - half, center + half, fill, BLACK);
+        self.text(center, words, BLACK);
+    }
+
+    /// Two axes through a place of the sheet, drawn from one corner about it to another.
+    pub(crate) fn axes(
+        &mut self,
+        origin: impl Into<Vec2>,
+        low: impl Into<Vec2>,
+        high: impl Into<Vec2>,
+        width: f32,
+    ) {
+        let (origin, low, high) = (origin.into(), low.into(), high.into());
+        self.line(origin + low.with_y(0.0), origin + high.with_y(0.0), GREY, width);
+        self.line(origin + low.with_x(0.0), origin + high.with_x(0.0), GREY, width);
+    }
+
+    /// A line through points.
+    pub(crate) fn polyline<P>(&mut self, points: impl IntoIterator<Item = P>, ink: Ink, width: f32)
+    where
+        P: Into<Vec2>,
+    {
+        let points: Vec<String> = points.into_iter().map(|point| pair(self.at(point))).collect();
+        self.add(
+            Polyline::new()
+                .set("points", points.join(" "))
+                .set("fill", "none")
+                .set("stroke", ink)
+                .set("stroke-width", width),
+        );
+    }
+
+    /// The arc about a point from one angle to another, counterclockwise, in radians.
+    pub(crate) fn arc(&mut self, center: impl Into<Vec2>, radius: f32, from: f32, to: f32, ink: Ink) {
+        let center = center.into();
+        let rim = |angle: f32| pair(self.at(center + radius * Vec2::from_angle(angle)));
+        let (r, large) = (radius * self.scale, i32::from(to - from > std::f32::consts::PI));
+        let d = format!("M {} A {r:.2} {r:.2} 0 {large} 0 {}", rim(from), rim(to));
+        self.add(Path::new().set("d", d).set("fill", "none").set("stroke", ink).set("stroke-width", 1.8));
+    }
+
+    /// A point.
+    pub(crate) fn dot(&mut self, at: impl Into<Vec2>, ink: Ink) {
+        let (cx, cy) = self.at(at);
+        self.add(
+            Circle::new().set("cx", cx).set("cy", cy).set("r", 4.5).set("fill", ink).set("stroke", PAPER),
+        );
+    }
+
+    /// The square of a pixel, given by its bottom-left corner.
+    pub(crate) fn pixel(&mut self, x: i32, y: i32, fill: Ink) {
+        let (left, bottom) = self.at(Vec2::new(x as f32, y as f32));
+        self.add(
+            Rectangle::new()
+                .set("x", left)
+                .set("y", bottom - self.scale)
+                .set("width", self.scale)
+                .set("height", self.scale)
+                .set("fill", fill)
+                .set("stroke", PAPER)
+                .set("stroke-width", 1),
+        );
+    }
+
+    /// The squares of pixels of one colour.
+    pub(crate) fn pixels(&mut self, pixels: impl IntoIterator<Item = (i32, i32)>, fill: Ink) {
+        pixels.into_iter().for_each(|(x, y)| self.pixel(x, y, fill));
+    }
+
+    /// The lines between pixels, from one corner to another.
+    pub(crate) fn grid(&mut self, low: (i32, i32), high: (i32, i32)) {
+        let point = |x: i32, y: i32| Vec2::new(x as f32, y as f32);
+        for x in low.0..=high.0 {
+            self.line(point(x, low.1), point(x, high.1), FAINT, 1.0);
+        }
+        for y in low.1..=high.1 {
+            self.line(point(low.0, y), point(high.0, y), FAINT, 1.0);
+        }
+    }
+
+    /// Words with their middle at a point.
+    pub(crate) fn text(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
+        self.words(at, words, ink, "middle");
+    }
+
+    /// Words that begin at a point.
+    pub(crate) fn text_right_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
+        self.words(at, words, ink, "start");
+    }
+
+    /// Words that end at a point.
+    pub(crate) fn text_left_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
+        self.words(at, words, ink, "end");
+    }
+
+    /// Words with a rim of the ground's colour, so that they read on lines as well.
+    fn words(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink, anchor: &str) {
+        let (x, y) = self.at(at);
+        self.add(
+            Text::new(words)
+                .set("x", x)
+                .set("y", y + LETTER * 0.35)
+                .set("text-anchor", anchor)
+                .set("fill", ink)
+                .set("stroke", PAPER)
+                .set("stroke-width", 3)
+                .set("stroke-opacity", 0.7)
+                .set("paint-order", "stroke"),
+        );
+    }
+
+    /// The drawing, finished.
+    ///
+    /// # Errors
+    /// Never; a figure may fail, and a sheet is most often its end.
+    pub fn finish(self) -> anyhow::Result<Drawing> {
+        Ok(self.into())
+    }
+}
+
+fn pair((x, y): (f32, f32)) -> String {
+    format!("{x} {y}")
+}
+
+impl fmt::Display for Sheet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.document.fmt(f)
+    }
+}
