@@ -77,6 +77,9 @@ fn text(bytes: &[u8]) -> String {
 fn starters_fail_kindly_and_solutions_pass() {
     let copy = Copy::new();
 
+    // What an earlier run has drawn.
+    let _ = fs::remove_dir_all(copy.root.join("out"));
+
     // Untouched.
     let built = copy.build(&LESSONS);
     let said = text(&built.stderr);
@@ -116,6 +119,30 @@ fn starters_fail_kindly_and_solutions_pass() {
         let said = text(&ran.stdout);
         assert!(ran.status.success() && said.contains(": 10 of 10 points\n"), "{lesson}: {said}");
         assert!(copy.root.join(format!("out/my-{lesson}.png")).exists());
+    }
+
+    // Every input can be pasted into a test.
+    for lesson in LESSONS.iter() {
+        let solution = copy.read(lesson, "src/lib.rs");
+        let judge =
+            copy.root.join(format!("target/debug/{}-judge{}", name(lesson), std::env::consts::EXE_SUFFIX));
+        let input = |n: usize| {
+            let arguments = ["input", "no program", &n.to_string()];
+            let said = Command::new(&judge).args(arguments).output().expect("it was built");
+            said.status.success().then(|| text(&said.stdout))
+        };
+        let inputs: String = (1..).map_while(input).collect();
+        copy.write(lesson, "src/lib.rs", &format!("{solution}\n{inputs}"));
+    }
+    let output = copy.missions("test", &LESSONS, &["--lib"]);
+    let tested = text(&output.stdout);
+    let passed =
+        tested.lines().filter(|line| line.starts_with("test input_") && line.ends_with("ok")).count();
+    let all = tested.lines().filter(|line| line.starts_with("test result: ok.")).count();
+    assert!(all == LESSONS.len() && passed > 100, "{passed} of {all}: {tested}{}", text(&output.stderr));
+    for lesson in LESSONS.iter() {
+        let solution = Path::new(COURSE).join("tests/lessons").join(lesson).join("solution.rs");
+        copy.write(lesson, "src/lib.rs", &fs::read_to_string(solution).expect("it was read before"));
     }
 
     // Whatever the student's code does, there is a verdict.

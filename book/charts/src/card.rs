@@ -62,7 +62,7 @@ const COLORS: [[&str; 2]; HUES] = [
     ["#00745a", "#45c9a1"],
     ["#a03d7a", "#e39ac6"],
     ["#7d6200", "#e2bf45"],
-    ["#53575d", "#b9bfc6"],
+    ["#111418", "#ffffff"],
 ];
 
 /// The other colours: names, and what they are on a light page and on a dark one.
@@ -276,16 +276,15 @@ impl Card {
     }
 
     /// Draws a mark in a method's colour.
-    pub(crate) fn mark(&mut self, [x, y]: [f64; 2], mark: Mark, method: usize, opacity: f64) {
-        let hue = method % HUES;
+    pub(crate) fn mark(&mut self, [x, y]: [f64; 2], mark: Mark, hue: Option<usize>, opacity: f64) {
+        let (fill, (stroke, _)) = (fill(hue), stroke(hue));
         let circle = |radius: f64| Circle::new().set("cx", tenth(x)).set("cy", tenth(y)).set("r", radius);
-        let outlined = |circle: Circle| {
-            circle.set("class", format!("s{hue}")).set("fill", "none").set("stroke-width", 2)
-        };
+        let outlined =
+            |circle: Circle| circle.set("class", stroke.as_str()).set("fill", "none").set("stroke-width", 2);
         let mut group = Group::new();
         match mark {
-            Mark::Disc => group.append(circle(5.5).set("class", format!("f{hue}"))),
-            Mark::Dot => group.append(circle(3.0).set("class", format!("f{hue}"))),
+            Mark::Disc => group.append(circle(5.5).set("class", fill)),
+            Mark::Dot => group.append(circle(3.0).set("class", fill)),
             Mark::Ring => {
                 group.append(circle(4.5).set("class", "card"));
                 group.append(outlined(circle(4.5)));
@@ -293,7 +292,7 @@ impl Card {
             Mark::Halo => group.append(outlined(circle(8.0))),
             Mark::Square => {
                 let square = Rectangle::new().set("x", tenth(x - 5.5)).set("y", tenth(y - 5.5));
-                group.append(square.set("width", 11).set("height", 11).set("class", format!("f{hue}")));
+                group.append(square.set("width", 11).set("height", 11).set("class", fill));
             }
             Mark::Cross => {
                 let data = [(-5.0, -5.0, 5.0, 5.0), (-5.0, 5.0, 5.0, -5.0)].iter().fold(
@@ -304,22 +303,20 @@ impl Card {
                         data.move_to(from).line_to(to)
                     },
                 );
-                group.append(
-                    Path::new().set("d", data).set("class", format!("s{hue}")).set("stroke-width", 3),
-                );
+                group.append(Path::new().set("d", data).set("class", stroke.as_str()).set("stroke-width", 3));
             }
         }
         self.document.append(if opacity < 1.0 { group.set("opacity", opacity) } else { group });
     }
 
     /// Writes a label where it was placed, with its leader.
-    pub(crate) fn label(&mut self, text: &str, label: &Label, method: usize, bold: bool) {
+    pub(crate) fn label(&mut self, text: &str, label: &Label, hue: Option<usize>, bold: bool) {
         if let Some(from) = label.leader {
             self.line([from, label.anchor], "rule", 0.6, None);
         }
         let size = self.layout.label;
         let at = [label.place.left + 2.0, (label.place.top + label.place.bottom) / 2.0 + 0.35 * size];
-        self.text(text, at, &format!("f{}", method % HUES), "start", size, bold);
+        self.text(text, at, &fill(hue), "start", size, bold);
     }
 
     /// The room that a label takes.
@@ -354,9 +351,20 @@ impl Card {
     }
 }
 
+/// A colour for each of those that do the job, in their order; what does another one has none and is grey.
+pub(crate) fn hues(do_it: impl Iterator<Item = bool>) -> Vec<Option<usize>> {
+    let mut next = 0..;
+    do_it.map(|does_it| if does_it { next.next() } else { None }).collect()
+}
+
+/// The class of what is filled in a method's colour.
+fn fill(hue: Option<usize>) -> String {
+    hue.map_or("soft".into(), |hue| format!("f{}", hue % HUES))
+}
+
 /// The class of a line in a method's colour, and its dashes where colours begin again.
-pub(crate) fn stroke(method: usize) -> (String, Option<&'static str>) {
-    (format!("s{}", method % HUES), (method >= HUES).then_some("6 3"))
+pub(crate) fn stroke(hue: Option<usize>) -> (String, Option<&'static str>) {
+    hue.map_or(("rule".into(), None), |hue| (format!("s{}", hue % HUES), (hue >= HUES).then_some("6 3")))
 }
 
 /// To a tenth of a px, so that files stay small.
@@ -392,6 +400,12 @@ mod tests {
     fn powers_are_plain_where_that_is_short() {
         let texts = [-12, -3, -1, 0, 4, 5].map(power_of_ten);
         assert_eq!(texts, ["10⁻¹²", "0.001", "0.1", "1", "10000", "10⁵"]);
+    }
+
+    #[test]
+    fn what_does_another_job_has_no_colour() {
+        assert_eq!(hues([false, true, false, true].into_iter()), [None, Some(0), None, Some(1)]);
+        assert_eq!((fill(None), stroke(Some(HUES)).1), ("soft".into(), Some("6 3")));
     }
 
     #[test]

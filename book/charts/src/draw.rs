@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 
-use super::card::{Axis, Card, Layout, Mark, Words, decades, stroke, text_width};
+use super::card::{Axis, Card, Layout, Mark, Words, decades, hues, stroke, text_width};
 use super::place::{Rect, place};
 use super::table::{Quantity, Series};
 
@@ -125,12 +125,13 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
     card.path(&steps, "rule", 1.2, None);
     obstacles.extend(steps.windows(2).map(|ends| Rect::around([ends[0], ends[1]], 2.0)));
 
+    let hues = hues(of.dots.iter().map(|dot| dot.does_it));
     let mut anchors = Vec::new();
     for (n, dot) in of.dots.iter().enumerate() {
         let [worst, mean] = errors[n].map(|error| at(&card, error, rates[n][1]));
         let [low, high] = [0, 2].map(|end| at(&card, errors[n][0], rates[n][end]));
         let opacity = if dot.frontier { 1.0 } else { 0.6 };
-        let (class, _) = stroke(n);
+        let (class, _) = stroke(hues[n]);
         if low[1] - high[1] > 12.0 {
             let cap = |[x, y]: [f64; 2]| [[x - 4.0, y], [x + 4.0, y]];
             card.line([low, high], &class, 1.5, None);
@@ -139,7 +140,7 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
         }
         if mean != worst {
             card.line([worst, mean], &class, 0.8, None);
-            card.mark(mean, Mark::Ring, n, opacity);
+            card.mark(mean, Mark::Ring, hues[n], opacity);
             obstacles.push(Rect::around([worst, mean], 1.0));
             obstacles.push(Rect::about(mean, 11.0, 11.0));
         }
@@ -148,14 +149,14 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
             0 => Mark::Square,
             _ => Mark::Disc,
         };
-        card.mark(worst, mark, n, opacity);
+        card.mark(worst, mark, hues[n], opacity);
         obstacles.push(Rect::about(worst, 13.0, 13.0));
         anchors.push((worst, card.label_size(&dot.name)));
     }
     for (n, label) in place(&anchors, &obstacles, card.plot).into_iter().enumerate() {
         let dot = &of.dots[n];
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, dot.name))?;
-        card.label(&dot.name, &label, n, dot.frontier);
+        card.label(&dot.name, &label, hues[n], dot.frontier);
     }
     Ok(card.finish())
 }
@@ -239,8 +240,8 @@ pub(crate) struct Lines<'a> {
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     pub(crate) name: String,
-    /// The method whose colour it has.
-    pub(crate) method: usize,
+    /// Its colour; none for what does another job.
+    pub(crate) hue: Option<usize>,
     pub(crate) points: Series,
     /// The point that is ringed.
     pub(crate) ringed: Option<usize>,
@@ -276,13 +277,13 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
     for (n, line) in of.lines.iter().enumerate() {
         let path: Vec<[f64; 2]> =
             line.points.iter().map(|point| card.at([x_scale.at(point.0), y_scale.at(point.1)])).collect();
-        let (class, dashes) = stroke(line.method);
+        let (class, dashes) = stroke(line.hue);
         // The first ones are the thickest, so that lines on top of each other are all seen.
         let width = 1.8 + 0.6 * (of.lines.len() - 1 - n).min(5) as f64;
         card.path(&path, &class, width, dashes);
-        path.iter().for_each(|point| card.mark(*point, Mark::Dot, line.method, 1.0));
+        path.iter().for_each(|point| card.mark(*point, Mark::Dot, line.hue, 1.0));
         if let Some(ringed) = line.ringed {
-            card.mark(path[ringed], Mark::Halo, line.method, 1.0);
+            card.mark(path[ringed], Mark::Halo, line.hue, 1.0);
             obstacles.push(Rect::about(path[ringed], 18.0, 18.0));
         }
         obstacles.extend(path.windows(2).flat_map(|ends| along(ends[0], ends[1])));
@@ -290,7 +291,7 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
     }
     for (line, label) in of.lines.iter().zip(place(&anchors, &obstacles, card.plot)) {
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, line.name))?;
-        card.label(&line.name, &label, line.method, true);
+        card.label(&line.name, &label, line.hue, false);
     }
     Ok(card.finish())
 }
@@ -307,16 +308,18 @@ fn along(a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = Rect> {
 /// Methods with the same points as one line each.
 pub(crate) fn alike(methods: &[&str], wrong: &[&str], series: &[Series]) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
-    for (n, (method, points)) in methods.iter().zip(series).enumerate() {
+    let hues = hues(methods.iter().map(|method| !wrong.contains(method)));
+    for ((method, hue), points) in methods.iter().zip(hues).zip(series) {
         match lines.iter_mut().find(|line| line.points == *points) {
             Some(line) => {
                 line.name.push_str(", ");
                 line.name.push_str(method);
                 line.does_it |= !wrong.contains(method);
+                line.hue = line.hue.or(hue);
             }
             None => lines.push(Line {
                 name: (*method).into(),
-                method: n,
+                hue,
                 points: points.clone(),
                 ringed: None,
                 does_it: !wrong.contains(method),
@@ -341,9 +344,9 @@ mod tests {
     #[test]
     fn methods_with_equal_points_share_a_line() {
         let lines = alike(&["a", "b", "c"], &["b"], &[vec![(1.0, 0.0)], vec![(1.0, 2.0)], vec![(1.0, 0.0)]]);
-        let lines: Vec<(&str, usize, bool)> =
-            lines.iter().map(|line| (line.name.as_str(), line.method, line.does_it)).collect();
-        assert_eq!(lines, [("a, c", 0, true), ("b", 1, false)]);
+        let lines: Vec<(&str, Option<usize>, bool)> =
+            lines.iter().map(|line| (line.name.as_str(), line.hue, line.does_it)).collect();
+        assert_eq!(lines, [("a, c", Some(0), true), ("b", None, false)]);
     }
 
     #[test]

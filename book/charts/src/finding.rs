@@ -95,11 +95,17 @@ pub(crate) fn growth(chart: &Chart, points: &[Point]) -> String {
         return format!("None is faster than {method} at any number of {what}");
     }
     let parts = parts.iter().enumerate().map(|(n, (method, from, to))| match n {
-        0 if from == to => format!("{method} is the fastest at {to} {what}"),
+        0 if from == to => format!("{method} is the fastest at {}", counted(to, what)),
         0 => format!("{method} is the fastest up to {to} {what}"),
         _ => format!("{method} from {from}"),
     });
     parts.collect::<Vec<_>>().join(", ")
+}
+
+/// So many of what is counted, as `1 pixel a segment`.
+fn counted(size: &str, what: &str) -> String {
+    let (first, rest) = what.split_at(what.find(' ').unwrap_or(what.len()));
+    format!("{size} {}{rest}", if size == "1" { first.trim_end_matches('s') } else { first })
 }
 
 /// The sizes, in order.
@@ -130,7 +136,7 @@ mod tests {
 
     fn line(name: &str, ringed: Option<usize>) -> Line {
         let points = vec![(1.0, 0.0), (100.0, 2.0), (1e6, 3.0)];
-        Line { name: name.into(), method: 0, points, ringed, does_it: true }
+        Line { name: name.into(), hue: None, points, ringed, does_it: true }
     }
 
     #[test]
@@ -145,6 +151,13 @@ mod tests {
         assert_eq!(text(&lines), "b holds throughout; a fails first, at 100");
         let all = [line("a", Some(1)), line("b, c, d, e, f", None), line("g", None)];
         assert_eq!(text(&all), "a fails first, at 100; all others hold throughout");
+    }
+
+    #[test]
+    fn one_is_no_plural() {
+        let texts = [("1", "pixels a segment"), ("10", "pixels a segment"), ("1", "products")];
+        let texts = texts.map(|(size, what)| counted(size, what));
+        assert_eq!(texts, ["1 pixel a segment", "10 pixels a segment", "1 product"]);
     }
 
     #[test]

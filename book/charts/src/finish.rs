@@ -8,7 +8,7 @@
 use std::path::Path;
 
 use common::file::write_whole;
-use common::{Color, Image, Vec3};
+use common::{Image, Vec3};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use shaders::{Call, Draw, Look, METHODS, SHADERS};
@@ -89,26 +89,37 @@ fn shown(render: Draw, subject: &Subject, size: u16) -> Image {
 /// A picture of `side`×`side` pixels, interpolated bilinearly between the centres of those that there are, with
 /// weights of 8 bits.
 fn enlarged(image: &Image, side: u16) -> Image {
-    let mut large = Image::new(side, side, image.format());
-    // The pixel to the left of a centre, and 256 times how far the centre is from its own.
-    let before = |n: i32, size: i32| {
-        let at = ((2 * n + 1) * size * 128 / i32::from(side) - 128).clamp(0, (size - 1) * 256);
+    let [width, height, wide] = [image.width(), image.height(), side.into()].map(|length| length as usize);
+    let channels = image.buffer().len() / (width * height);
+    // What lies before a centre, and 256 times how far the centre is from that.
+    let before = |n: usize, size: usize| {
+        let at = ((2 * n + 1) * size * 128 / wide).saturating_sub(128).min((size - 1) * 256);
         (at / 256, at % 256)
     };
-    let get = |x: i32, y: i32| {
-        image.get(x.min(image.width() - 1), y.min(image.height() - 1)).unwrap_or(Color::BLACK)
-    };
-    let columns: Vec<(i32, i32)> = (0..i32::from(side)).map(|x| before(x, image.width())).collect();
-    for y in 0..i32::from(side) {
-        let (row, up) = before(y, image.height());
-        for (x, &(column, right)) in columns.iter().enumerate() {
-            let corners = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| get(column + dx, row + dy));
-            let mix = |channel: fn(Color) -> u8| {
-                let [a, b, c, d] = corners.map(|color| i32::from(channel(color)));
-                let (low, high) = (256 * a + right * (b - a), 256 * c + right * (d - c));
-                ((256 * low + up * (high - low) + 0x8000) >> 16) as u8
+    let columns: Vec<(usize, usize, u16)> = (0..wide)
+        .flat_map(|x| {
+            let (left, part) = before(x, width);
+            let right = (left + 1).min(width - 1);
+            (0..channels).map(move |c| (left * channels + c, right * channels + c, part as u16))
+        })
+        .collect();
+    // First along the rows, times 256, then between them.
+    let rows: Vec<Vec<u16>> = image
+        .buffer()
+        .chunks_exact(width * channels)
+        .map(|row| {
+            let mix = |&(a, b, part): &(usize, usize, u16)| {
+                u16::from(row[a]) * (256 - part) + u16::from(row[b]) * part
             };
-            large.set(x as i32, y, Color::rgb(mix(|c| c.r), mix(|c| c.g), mix(|c| c.b)));
+            columns.iter().map(mix).collect()
+        })
+        .collect();
+    let mut large = Image::new(side, side, image.format());
+    for (y, row) in large.buffer_mut().chunks_exact_mut(wide * channels).enumerate() {
+        let (low, part) = before(y, height);
+        let (pair, part) = ([&rows[low], &rows[(low + 1).min(height - 1)]], part as u32);
+        for (channel, (low, high)) in row.iter_mut().zip(pair[0].iter().zip(pair[1])) {
+            *channel = ((u32::from(*low) * (256 - part) + u32::from(*high) * part + 0x8000) >> 16) as u8;
         }
     }
     large
@@ -275,7 +286,7 @@ fn flip(got: &Image, expected: &[[f64; 3]]) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use common::Format;
+    use common::{Color, Format};
 
     #[test]
     fn equal_pictures_do_not_differ_and_others_do() {

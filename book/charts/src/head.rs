@@ -98,9 +98,9 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     };
     let outline: fn(&Row) -> &str = |row| &row.outline_mean;
     let shading: fn(&Row) -> &str = |row| &row.shading_mean;
-    let line = |(method, name): (usize, &str), error| Line {
+    let line = |(hue, name): (usize, &str), error| Line {
         name: name.into(),
-        method,
+        hue: Some(hue),
         points: points(name, error),
         ringed: None,
         does_it: true,

@@ -482,23 +482,26 @@ fn stability_chart<'a>(chart: &'a Chart, points: &[Point], caption: &str) -> dra
 
 /// The cost of a unit of work against the size of the work.
 fn growth_chart<'a>(chart: &'a Chart, points: &[Point], caption: &str) -> draw::Lines<'a> {
-    let line = |(method, (name, points)): (usize, (&str, Series))| draw::Line {
+    let methods = (chart.methods)().into_iter().zip(series(chart, points));
+    let doing = methods.filter(|(name, _)| !chart.wrong.contains(name));
+    let line = |(hue, (name, points)): (usize, (&str, Series))| draw::Line {
         name: name.into(),
-        method,
+        hue: Some(hue),
         points,
         ringed: None,
-        does_it: !chart.wrong.contains(&name),
+        does_it: true,
     };
+    let others = if chart.wrong.is_empty() { "" } else { " What does another job is left out." };
     draw::Lines {
         name: chart.name,
         title: finding::growth(chart, points),
-        reading: format!("The time {}, for work of each size.", per(chart)),
+        reading: format!("The time {}, for work of each size.{others}", per(chart)),
         across: format!("{} →", chart.sizes.name),
         falling: false,
         what: "time",
         unit: "ns",
         limit: None,
-        lines: (chart.methods)().into_iter().zip(series(chart, points)).enumerate().map(line).collect(),
+        lines: doing.enumerate().map(line).collect(),
         caption: vec![format!("{}.", chart.job), caption.into()],
     }
 }

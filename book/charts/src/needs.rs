@@ -233,7 +233,7 @@ fn outline_chart<'a>(rows: &[Row], caption: &str) -> Lines<'a> {
             mine(*side).map(|row| (number(&row.ms_median), number(&row.outline_max))).collect();
         Line {
             name: format!("{side}×{side} px"),
-            method: n,
+            hue: Some(n),
             points,
             ringed: mine(*side).position(|row| row.rule),
             does_it: true,
@@ -266,7 +266,7 @@ fn shading_chart<'a>(rows: &[Row], caption: &str) -> Lines<'a> {
         let points: Series =
             mine(shader).map(|row| (number(&row.ms_median), number(&row.shading_max))).collect();
         let ringed = mine(shader).position(|row| row.shading_rule);
-        Line { name: (*shader).into(), method: n, points, ringed, does_it: true }
+        Line { name: (*shader).into(), hue: Some(n), points, ringed, does_it: true }
     };
     let ringed = mine(SHADED[1]).find(|row| row.shading_rule).map_or(0, |row| row.segments);
     let finest = |shader| mine(shader).next_back().map_or("inf", |row| row.shading_max.as_str());

@@ -64,7 +64,10 @@ pub(crate) fn pages(charts: &[&Chart], folder: &Path) -> anyhow::Result<[(&'stat
     if !orders.is_empty() {
         write!(page, "\nBuilt for x86-64-v3, the order changes:\n\n{orders}")?;
     }
-    short.push_str("\nTime is for the same work, with that of the fastest method as the unit.\n");
+    short.push_str(
+        "\nTime is for the same work, with that of the fastest method as the unit. A worst error found is the largest one of \
+         a sample, so a lower bound; *exact* is what is proved, *none found* what a sample showed.\n",
+    );
     Ok([("methods.md", page), ("methods-short.md", short)])
 }
 

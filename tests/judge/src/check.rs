@@ -1,8 +1,11 @@
 //! What the tests of each judge ask of it.
 
-use tasks::{Answer, SEED};
+use std::collections::BTreeSet;
+use std::path::Path;
 
-use super::{AnswerKey, Judge, Verdict};
+use tasks::{Answer, COURSE, SEED, attempt};
+
+use super::{Judge, Verdict};
 
 impl<F> Judge<F> {
     /// What the checks say of these functions. Answers cross as text, as they do between processes.
@@ -12,13 +15,10 @@ impl<F> Judge<F> {
     #[must_use]
     pub fn verdicts(&self, functions: &F, seed: u64) -> Vec<Verdict> {
         let cross = |answer: Answer| answer.to_string().parse().expect("it was just written");
-        let (keys, tasks) = (self.key(seed), self.mission.tasks(seed));
-        let judge = |(key, tasks): (&AnswerKey, Vec<tasks::Task<F>>)| {
-            let answers: Vec<Answer> =
-                tasks.iter().map(|task| cross(Answer::Raw((task.work)(functions)))).collect();
-            key.judge(&answers)
-        };
-        keys.iter().zip(tasks).map(judge).collect()
+        let tasks = self.mission.tasks(seed);
+        let answers: Vec<Answer> =
+            tasks.iter().flatten().map(|task| cross(attempt(task, functions))).collect();
+        self.judge(seed, &self.key(seed), &answers)
     }
 
     /// Checks that a fault costs the points of a check, and that its cause is said to be one with these words.
@@ -30,7 +30,46 @@ impl<F> Judge<F> {
         let verdicts = self.verdicts(functions, SEED);
         let verdict = verdicts.iter().find(|verdict| verdict.name == check).expect("there is such a check");
         assert_eq!(verdict.earned(), 0, "{verdict:?}");
-        assert!(verdict.cause.is_some_and(|cause| cause.contains(words)), "{verdict:?}");
+        assert!(verdict.cause.as_ref().is_some_and(|cause| cause.contains(words)), "{verdict:?}");
+    }
+
+    /// Checks of each known wrong version, whatever the seed, that it costs points, and that of its first wrong check
+    /// it is said to be the cause; that there are at least six; and that the hints are there.
+    ///
+    /// # Panics
+    /// Where that is not so.
+    #[track_caller]
+    pub fn check_faults(&self) {
+        let causes: BTreeSet<&str> = self.faults.iter().map(|fault| fault.cause).collect();
+        assert!(causes.len() == self.faults.len() && causes.len() >= 6, "{}: {causes:?}", causes.len());
+        let chapter = Path::new(COURSE).join("book/lessons").join(self.mission.lesson).join("chapter.md");
+        let chapter = std::fs::read_to_string(chapter).expect("a lesson has a chapter");
+        for fault in self.faults {
+            let hint = fault.hint.map(|hint| format!("<summary>Hint {hint}:"));
+            assert!(hint.is_none_or(|hint| chapter.contains(&hint)), "{}", fault.cause);
+        }
+        for seed in [SEED, 2] {
+            let (keys, tasks) = (self.key(seed), self.mission.tasks(seed));
+            for (fault, version) in
+                self.faults.iter().flat_map(|fault| fault.versions.iter().map(move |v| (fault, v)))
+            {
+                let rows: Vec<_> = keys.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
+                let found = (0..rows.len()).find_map(|n| {
+                    let (key, tasks) = rows[n];
+                    let answers: Vec<Answer> = tasks.iter().map(|task| attempt(task, version)).collect();
+                    let verdict = key.judge(&answers);
+                    let wrong = !verdict.wrong.is_empty();
+                    wrong.then(|| (verdict, self.faults_of(&rows[..n], rows[n], &answers)))
+                });
+                let (verdict, faults) = found.unwrap_or_else(|| panic!("{:?} earns all", fault.cause));
+                let causes: Vec<&str> = faults.iter().map(|fault| fault.cause).collect();
+                assert!(
+                    causes == [fault.cause],
+                    "{}: {causes:?}, with seed {seed}: {verdict:?}",
+                    fault.cause
+                );
+            }
+        }
     }
 
     /// Checks that the reference is right whatever the seed, and that the points add up to 10.

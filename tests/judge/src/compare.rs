@@ -1,4 +1,4 @@
-//! Compares answers with what is expected: what is wrong, how much of it, where first, and the likely cause.
+//! Compares answers with what is expected: what is wrong, how much of it, and where first.
 
 use std::fmt;
 
@@ -6,19 +6,12 @@ use checks::picture::{self, Fault};
 use common::{Color, IVec2};
 use tasks::{Answer, Precision, Raw};
 
-use super::{AnswerKey, Cause, Question};
+use super::{AnswerKey, Question};
 
 impl Question {
-    /// Whether a fault, done to the expected result, gives this one.
-    #[must_use]
-    pub fn becomes(&self, got: &Raw, fault: impl Fn(&Raw) -> Raw) -> bool {
-        compare(&fault(&self.expected), got, self.precision).is_empty()
-    }
-
-    /// Whether undoing a fault in this result gives the expected one.
-    #[must_use]
-    pub fn mended(&self, got: &Raw, cure: impl Fn(&Raw) -> Raw) -> bool {
-        compare(&self.expected, &cure(got), self.precision).is_empty()
+    /// In what a result differs from the expected one.
+    pub(crate) fn differs(&self, got: &Raw) -> Vec<Finding> {
+        compare(&self.expected, got, self.precision)
     }
 }
 
@@ -61,7 +54,14 @@ pub enum Finding {
         /// What it is there.
         got: f32,
     },
-    /// Entries of a table that are other numbers than expected.
+    /// Another value than expected.
+    WrongValue {
+        /// What it should be.
+        expected: String,
+        /// What it is.
+        got: String,
+    },
+    /// Entries of a matrix that are other numbers than expected.
     WrongNumber {
         /// How many.
         count: usize,
@@ -82,6 +82,19 @@ pub enum Finding {
     Crashed(String),
     /// No result within the time limit.
     OutOfTime,
+}
+
+impl Finding {
+    /// The first wrong pixel.
+    pub(crate) fn pixel(&self) -> Option<IVec2> {
+        match self {
+            Self::Missing { first, .. }
+            | Self::Extra { first, .. }
+            | Self::WrongColor { first, .. }
+            | Self::WrongDepth { first, .. } => Some(*first),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Display for Finding {
@@ -111,9 +124,14 @@ impl fmt::Display for Finding {
                     pixels(*count)
                 )
             }
+            Self::WrongValue { expected, got } => write!(f, "gave {got}, expected {expected}"),
             Self::WrongNumber { count, row, column, expected, got } => {
-                let numbers = if *count == 1 { "1 number is".into() } else { format!("{count} numbers are") };
-                write!(f, "{numbers} wrong, the first in row {row}, column {column}: {got}, not {expected}")
+                write!(f, "gave {got} in row {row}, column {column} of the matrix, expected {expected}")?;
+                match count {
+                    1 => Ok(()),
+                    2 => write!(f, "; another number is wrong"),
+                    more => write!(f, "; {} more numbers are wrong", more - 1),
+                }
             }
             Self::WrongShape => write!(f, "the result has another size than it should"),
             Self::Unwritten(said) => write!(f, "not written yet: {said}"),
@@ -143,8 +161,8 @@ pub struct Verdict {
     pub points: u32,
     /// The answers that are wrong; if there is none, the points are earned.
     pub wrong: Vec<Wrong>,
-    /// What explains all of them, if a known fault does.
-    pub cause: Option<&'static str>,
+    /// What explains the answers, if a known fault gives the same ones.
+    pub cause: Option<String>,
 }
 
 impl Verdict {
@@ -165,21 +183,14 @@ impl AnswerKey {
             .map(|(question, asked)| Wrong { question, findings: findings(asked, answer(question)) })
             .filter(|wrong| !wrong.findings.is_empty())
             .collect();
-        let explains = |cause: &&Cause| {
-            wrong.iter().all(|wrong| match answer(wrong.question) {
-                Answer::Raw(raw) => (cause.explains)(&self.questions[wrong.question], raw),
-                _ => false,
-            })
-        };
-        let cause = self.causes.iter().find(explains).filter(|_| !wrong.is_empty()).map(|cause| cause.name);
-        Verdict { name: self.name, asks: self.asks, points: self.points, wrong, cause }
+        Verdict { name: self.name, asks: self.asks, points: self.points, wrong, cause: None }
     }
 }
 
 /// What is wrong with an answer; nothing if it is right.
 fn findings(question: &Question, answer: &Answer) -> Vec<Finding> {
     match answer {
-        Answer::Raw(raw) => compare(&question.expected, raw, question.precision),
+        Answer::Raw(raw) => question.differs(raw),
         Answer::Unwritten(said) => vec![Finding::Unwritten(said.clone())],
         Answer::Crashed(said) => vec![Finding::Crashed(said.clone())],
         Answer::OutOfTime => vec![Finding::OutOfTime],
@@ -187,7 +198,7 @@ fn findings(question: &Question, answer: &Answer) -> Vec<Finding> {
 }
 
 /// In what a result differs from the expected one.
-fn compare(expected: &Raw, got: &Raw, precision: Precision) -> Vec<Finding> {
+pub(crate) fn compare(expected: &Raw, got: &Raw, precision: Precision) -> Vec<Finding> {
     let Precision { tolerance, strays } = precision;
     match (expected, got) {
         (Raw::Picture(expected), Raw::Picture(got)) => {
@@ -208,12 +219,44 @@ fn compare(expected: &Raw, got: &Raw, precision: Precision) -> Vec<Finding> {
         (Raw::Numbers { columns, values }, Raw::Numbers { columns: got_columns, values: got })
             if columns == got_columns && values.len() == got.len() =>
         {
-            let finding = first_off(values, got, tolerance).map(|(count, n, expected, got)| {
-                Finding::WrongNumber { count, row: n / columns, column: n % columns, expected, got }
+            let finding = first_off(values, got, tolerance).map(|(count, n, one, other)| {
+                if values.len() == *columns {
+                    Finding::WrongValue { expected: value(values), got: value(got) }
+                } else {
+                    Finding::WrongNumber {
+                        count,
+                        row: n / columns,
+                        column: n % columns,
+                        expected: one,
+                        got: other,
+                    }
+                }
             });
             finding.into_iter().collect()
         }
+        (Raw::Numbers { values, .. }, Raw::Numbers { values: got, .. })
+            if values.is_empty() != got.is_empty() =>
+        {
+            let option = |values: &[f32]| match values {
+                [] => "None".into(),
+                some => format!("Some({})", value(some)),
+            };
+            vec![Finding::WrongValue { expected: option(values), got: option(got) }]
+        }
         _ => vec![Finding::WrongShape],
+    }
+}
+
+/// A number, a vector, or the rows of a matrix.
+pub(crate) fn value(values: &[f32]) -> String {
+    let list = |values: &[f32]| values.iter().map(|n| format!("{n}")).collect::<Vec<_>>().join(", ");
+    match values {
+        [n] => format!("{n}"),
+        values if values.len() <= 4 => format!("({})", list(values)),
+        values => {
+            let side = values.len().isqrt();
+            format!("[{}]", values.chunks(side).map(list).collect::<Vec<_>>().join("; "))
+        }
     }
 }
 

@@ -1,26 +1,30 @@
 //! Judgement of missions: what is right, what is wrong, and why.
 //!
-//! A lesson's judge is a program, `tests/lessons/NN-name/judge.rs`: the lesson's own functions as [`Judge`], and the
-//! faults that it recognises in the results. It judges in two ways:
+//! A lesson's judge is a program, `tests/lessons/NN-name/judge.rs`: the lesson's own functions as [`Judge`], and, in
+//! `faults.rs`, known wrong versions of them. It judges in two ways:
 //!
 //! - for a student it starts the program that was built of what the student wrote, asks it for its answers, and
 //!   says what it finds, with a picture;
 //! - for the grader, which runs such programs behind walls, it says what is asked, and judges answers in a file.
 
 pub mod ask;
-pub mod causes;
 mod check;
 mod compare;
+mod enlarge;
+mod fault;
+mod input;
 mod mark;
+mod report;
 mod show;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 use common::terminal::eprintln;
-use tasks::{Mission, Precision, Raw};
+use tasks::{Answer, Mission, Precision, Raw, Task};
 
 pub use compare::{Finding, Verdict, Wrong};
+pub use fault::Fault;
 pub use mark::picture_files;
 
 /// A mission, and what is right.
@@ -29,12 +33,9 @@ pub struct Judge<F: 'static> {
     pub mission: Mission<F>,
     /// The functions as the lesson has them.
     pub reference: F,
-    /// For each check, in order, the faults that it recognises.
-    pub causes: &'static [(&'static str, Causes)],
+    /// Wrong versions that it recognises by their answers. Where two give the same ones, the first is named.
+    pub faults: &'static [Fault<F>],
 }
-
-/// Makes a list of faults.
-pub type Causes = fn() -> Vec<Cause>;
 
 /// A task with its solution, apart from the functions that find it.
 pub struct Question {
@@ -54,47 +55,67 @@ pub struct AnswerKey {
     pub asks: &'static str,
     /// What it is worth.
     pub points: u32,
+    /// The number of its first input, of all that the mission has, from 1.
+    pub first: usize,
     /// The tasks, in the order of their answers.
     pub questions: Vec<Question>,
-    /// Faults that it would recognise.
-    pub causes: Vec<Cause>,
-}
-
-/// A fault that students make.
-#[derive(Clone, Copy)]
-pub struct Cause {
-    /// What the student did, and the cure.
-    pub name: &'static str,
-    /// Whether this fault, and nothing else, is what is wrong with a result. It is tried, not guessed: mostly
-    /// by doing the same to the expected result, see [`Question::becomes`].
-    pub explains: fn(&Question, &Raw) -> bool,
 }
 
 impl<F> Judge<F> {
     /// The questions of each check, with what is expected.
-    ///
-    /// # Panics
-    /// Where the rows of causes are not those of the checks.
     #[must_use]
     pub fn key(&self, seed: u64) -> Vec<AnswerKey> {
-        let names = self.mission.checks.iter().map(|check| check.name);
-        assert!(names.eq(self.causes.iter().map(|row| row.0)), "a row of causes for each check, in order");
-        let rows = self.mission.checks.iter().zip(self.mission.tasks(seed)).zip(self.causes);
-        rows.map(|((check, tasks), (_, causes))| AnswerKey {
-            name: check.name,
-            asks: check.asks,
-            points: check.points,
-            questions: tasks
-                .into_iter()
-                .map(|task| Question {
-                    expected: (task.work)(&self.reference),
-                    input: task.input,
-                    precision: check.precision,
-                })
-                .collect(),
-            causes: causes(),
+        let mut first = 1;
+        let rows = self.mission.checks.iter().zip(self.mission.tasks(seed));
+        rows.map(|(check, tasks)| {
+            let question = |task: Task<F>| Question {
+                expected: (task.work)(&self.reference),
+                input: task.input,
+                precision: check.precision,
+            };
+            let questions: Vec<Question> = tasks.into_iter().map(question).collect();
+            let key =
+                AnswerKey { name: check.name, asks: check.asks, points: check.points, first, questions };
+            first += key.questions.len();
+            key
         })
         .collect()
+    }
+
+    /// Judges the answers to the questions of keys, check by check.
+    pub(crate) fn judge(&self, seed: u64, keys: &[AnswerKey], answers: &[Answer]) -> Vec<Verdict> {
+        let all = self.mission.checks.iter().zip(self.mission.tasks(seed));
+        let asked = all.filter(|(check, _)| keys.iter().any(|key| key.name == check.name));
+        let tasks: Vec<Vec<Task<F>>> = asked.map(|(_, tasks)| tasks).collect();
+        let rows: Vec<_> = keys.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
+        let mut rest = answers;
+        // What the first wrong check shows is looked for in those after it.
+        let mut named: Option<Vec<&Fault<F>>> = None;
+        let verdict = |(n, &key): (usize, &(&AnswerKey, &[Task<F>]))| {
+            let (own, others) = rest.split_at(key.0.questions.len().min(rest.len()));
+            rest = others;
+            let mut verdict = key.0.judge(own);
+            if !verdict.wrong.is_empty() {
+                let before = if named.is_none() { &rows[..n] } else { &[] };
+                let mut faults = self.faults_of(before, key, own);
+                match &named {
+                    None => named = Some(faults.clone()),
+                    Some(named) => {
+                        let again =
+                            |fault: &&Fault<F>| named.iter().any(|named| std::ptr::eq(*named, *fault));
+                        if faults.iter().any(again) {
+                            faults.retain(again);
+                        } else if faults.len() > 1 {
+                            faults.clear();
+                        }
+                    }
+                }
+                let told: Vec<String> = faults.iter().map(|fault| fault.told(self.mission.lesson)).collect();
+                verdict.cause = Some(told.join("; or ")).filter(|told| !told.is_empty());
+            }
+            verdict
+        };
+        rows.iter().enumerate().map(verdict).collect()
     }
 
     /// A judge's program.
@@ -105,8 +126,9 @@ impl<F> Judge<F> {
         let arguments: Vec<String> = std::env::args().skip(1).collect();
         let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let result = match words.as_slice() {
-            ["show", program] => self.show(Path::new(program), true),
-            ["tell", program] => self.show(Path::new(program), false),
+            ["show", program, check @ ..] => self.show(Path::new(program), check.first().copied(), true),
+            ["tell", program, check @ ..] => self.show(Path::new(program), check.first().copied(), false),
+            ["input", _, number] => self.print_input(number),
             ["test", program, words @ ..] => self.test(Path::new(program), words),
             ["checks", seed] => self.print_checks(seed),
             ["mark", seed, answers, pictures] => self.mark(seed, Path::new(answers), Path::new(pictures)),

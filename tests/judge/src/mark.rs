@@ -8,7 +8,7 @@ use common::Image;
 use common::terminal::print;
 use tasks::Answer;
 
-use super::show::{judge, pictures};
+use super::show::pictures;
 use super::{AnswerKey, Finding, Judge, Verdict};
 
 /// How many wrong inputs of a check are told.
@@ -28,11 +28,12 @@ impl<F> Judge<F> {
     /// inputs `input WHAT` and after it lines of `finding WHAT`; and `picture INPUT` where one of them was drawn,
     /// which is then in files of the folder, see [`picture_files`].
     pub(crate) fn mark(&self, seed: &str, answers: &Path, folder: &Path) -> anyhow::Result<ExitCode> {
-        let keys = self.key(seed.parse()?);
+        let seed = seed.parse()?;
+        let keys = self.key(seed);
         let text = std::fs::read_to_string(answers).context("cannot read the answers")?;
         let answers: Vec<Answer> = text.lines().map_while(|line| line.parse().ok()).collect();
         let mut rest = answers.as_slice();
-        for (check, (key, verdict)) in keys.iter().zip(judge(&keys, &answers)).enumerate() {
+        for (check, (key, verdict)) in keys.iter().zip(self.judge(seed, &keys, &answers)).enumerate() {
             let (own, others) = rest.split_at(key.questions.len().min(rest.len()));
             rest = others;
             print(&told(key, &verdict))?;
@@ -55,7 +56,7 @@ pub fn picture_files(folder: &Path, check: usize) -> [PathBuf; 3] {
 
 fn told(key: &AnswerKey, verdict: &Verdict) -> String {
     let mut text = format!("check {} {}\n", verdict.earned(), verdict.wrong.len());
-    text.extend(verdict.cause.map(|cause| format!("cause {cause}\n")));
+    text.extend(verdict.cause.iter().map(|cause| format!("cause {cause}\n")));
     for wrong in verdict.wrong.iter().take(TOLD) {
         text += &format!("input {}\n", key.questions[wrong.question].input);
         text.extend(wrong.findings.iter().map(|finding| format!("finding {finding}\n")));

@@ -3,35 +3,26 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use checks::picture::distance;
 use common::compare::{Difference, side_by_side};
 use common::terminal::{eprintln, print};
 use common::{Color, Format, IVec2, Image, preview};
-use tasks::{Answer, COURSE, Raw, SEED};
+use tasks::{Answer, Raw, SEED, Shape};
 
 use super::ask::ask;
+use super::enlarge::{self, enlarged, shape_at};
+use super::report::{report, said};
 use super::{AnswerKey, Finding, Judge, Question, Verdict};
 
-/// Judges answers to the questions of all keys in a row.
-pub(crate) fn judge(keys: &[AnswerKey], answers: &[Answer]) -> Vec<Verdict> {
-    let mut rest = answers;
-    let verdict = |key: &AnswerKey| {
-        let (own, others) = rest.split_at(key.questions.len().min(rest.len()));
-        rest = others;
-        key.judge(own)
-    };
-    keys.iter().map(verdict).collect()
-}
-
-/// What a student's program answers.
-fn answers(program: &Path, keys: &[AnswerKey]) -> anyhow::Result<Vec<Answer>> {
+/// What a student's program answers to the questions of one check, or of all.
+fn answers(program: &Path, keys: &[AnswerKey], check: Option<&str>) -> anyhow::Result<Vec<Answer>> {
     let folder = std::env::temp_dir().join(format!("pixel-by-pixel-{}", std::process::id()));
     std::fs::create_dir(&folder).context("cannot make a folder for the answers")?;
     let questions: Vec<usize> = keys.iter().map(|key| key.questions.len()).collect();
     let answers = ask(&questions, &folder, |file, from| {
         let mut child = Command::new(program);
-        child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]);
+        child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]).args(check);
         child.spawn().with_context(|| format!("cannot start {}", program.display()))
     });
     std::fs::remove_dir_all(&folder).context("cannot remove the folder of the answers")?;
@@ -39,12 +30,26 @@ fn answers(program: &Path, keys: &[AnswerKey]) -> anyhow::Result<Vec<Answer>> {
 }
 
 impl<F> Judge<F> {
-    /// Says what is right and what is not, and shows it.
-    pub(crate) fn show(&self, program: &Path, in_terminal: bool) -> anyhow::Result<ExitCode> {
+    /// Says what is right and what is not, of one check or of all, and shows it.
+    pub(crate) fn show(
+        &self,
+        program: &Path,
+        check: Option<&str>,
+        in_terminal: bool,
+    ) -> anyhow::Result<ExitCode> {
         let lesson = self.mission.lesson;
-        let keys = self.key(SEED);
-        let answers = answers(program, &keys)?;
-        let verdicts = judge(&keys, &answers);
+        let mut keys = self.key(SEED);
+        keys.retain(|key| check.is_none_or(|check| key.name == check));
+        if keys.is_empty() {
+            let names = self.mission.checks.iter().map(|check| format!("{:?}", check.name));
+            bail!(
+                "there is no check {:?}; there are {}",
+                check.unwrap_or_default(),
+                names.collect::<Vec<_>>().join(", ")
+            );
+        }
+        let answers = answers(program, &keys, check)?;
+        let verdicts = self.judge(SEED, &keys, &answers);
         let unwritten = |answer: &Answer| match answer {
             Answer::Unwritten(said) => Some(said.clone()),
             _ => None,
@@ -56,18 +61,65 @@ impl<F> Judge<F> {
             return Ok(ExitCode::FAILURE);
         }
 
-        if let Some((title, sheet)) = comparison(&keys, &answers, &verdicts) {
+        if let Some(Shown { title, pictures, pixel, shape }) = self.shown(&keys, &answers, &verdicts) {
             std::fs::create_dir_all("out").context("cannot create the folder out/")?;
             let path = PathBuf::from("out").join(format!("my-{lesson}.png"));
-            sheet.write(&path)?;
-            if let Some(text) = preview::for_terminal(&sheet).filter(|_| in_terminal) {
+            let picture = side_by_side(&pictures.each_ref()).map_err(anyhow::Error::msg)?;
+            picture.write(&path)?;
+            if let Some(text) = preview::for_terminal(&picture).filter(|_| in_terminal) {
                 print(&text)?;
             }
             print(&format!("{}: expected | got | difference, {title}\n", path.display()))?;
+            let path = PathBuf::from("out").join(format!("my-{lesson}-enlarged.png"));
+            let [expected, got, _] = &pictures;
+            match pixel.and_then(|at| Some((at, enlarged([expected, got], at, shape.as_ref())?))) {
+                Some((IVec2 { x, y }, image)) => {
+                    image.write(&path)?;
+                    let belongs = shape.map(|shape| format!(", of the {}", enlarge::said(&shape)));
+                    print(&format!(
+                        "{}: expected | got around ({x}, {y}), the first wrong pixel{}\n",
+                        path.display(),
+                        belongs.unwrap_or_default()
+                    ))?;
+                }
+                // That of an earlier run would mislead.
+                None if path.exists() => {
+                    std::fs::remove_file(&path).context("cannot remove an old picture")?
+                }
+                None => (),
+            }
         }
-        print(&report(lesson, &keys, &verdicts)?)?;
+        print(&report(lesson, &keys, &verdicts, check.is_none())?)?;
         let all = verdicts.iter().all(|verdict| verdict.wrong.is_empty());
         Ok(if all { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    }
+
+    /// What is to be seen: the first picture that is wrong, or else that of the lesson.
+    fn shown(&self, keys: &[AnswerKey], answers: &[Answer], verdicts: &[Verdict]) -> Option<Shown> {
+        let asked = keys.iter().zip(verdicts).flat_map(|(key, verdict)| {
+            (key.questions.iter().enumerate()).map(move |(n, question)| {
+                let wrong = verdict.wrong.iter().find(|wrong| wrong.question == n);
+                (key, n, question, wrong)
+            })
+        });
+        let pictures: Vec<_> = asked
+            .zip(answers)
+            .filter_map(|((key, n, question, wrong), answer)| {
+                Some((key, n, wrong, pictures(question, answer)?))
+            })
+            .collect();
+        let first = pictures.iter().find(|(.., wrong, _)| wrong.is_some());
+        let (key, n, wrong, pictures) =
+            first.or_else(|| pictures.iter().find(|(key, ..)| key.name == "picture"))?;
+        let pixel = wrong.and_then(|wrong| wrong.findings.iter().find_map(Finding::pixel));
+        let tasks = self.mission.tasks(SEED).into_iter().flatten();
+        let task = tasks.skip(key.first - 1 + n).take(1).next()?;
+        Some(Shown {
+            title: format!("{}: {}", key.name, task.input),
+            pictures: pictures.clone(),
+            pixel,
+            shape: pixel.and_then(|at| shape_at(&(task.shapes)(&self.reference), at).cloned()),
+        })
     }
 
     /// Tells the verdicts as `cargo test` tells those of tests, and understands what it may be asked: a part of a
@@ -85,16 +137,17 @@ impl<F> Judge<F> {
             return print(&list).map(|()| ExitCode::SUCCESS);
         }
         let mut keys = self.key(SEED);
-        let answers = answers(program, &keys)?;
-        let mut verdicts = judge(&keys, &answers);
+        let answers = answers(program, &keys, None)?;
+        let mut verdicts = self.judge(SEED, &keys, &answers);
         keys.retain(|key| chosen(key.name));
         verdicts.retain(|verdict| chosen(verdict.name));
         let mut text = format!("\nrunning {} tests\n", verdicts.len());
         for (verdict, key) in verdicts.iter().zip(&keys) {
             let said = verdict.wrong.first().map(|wrong| {
-                format!("FAILED, {}: {}", key.questions[wrong.question].input, said(&wrong.findings))
+                format!("FAILED, {}", said(&key.questions[wrong.question].input, &wrong.findings))
             });
-            let cause = verdict.cause.map(|cause| format!("; likely cause: {cause}")).unwrap_or_default();
+            let cause =
+                verdict.cause.as_ref().map(|cause| format!("; likely cause: {cause}")).unwrap_or_default();
             text += &format!("test {} ... {}{cause}\n", verdict.name, said.as_deref().unwrap_or("ok"));
         }
         let passed = verdicts.iter().filter(|verdict| verdict.wrong.is_empty()).count();
@@ -106,65 +159,14 @@ impl<F> Judge<F> {
     }
 }
 
-/// The verdicts as text.
-fn report(lesson: &str, keys: &[AnswerKey], verdicts: &[Verdict]) -> anyhow::Result<String> {
-    let width = verdicts.iter().map(|verdict| verdict.name.len()).max().unwrap_or(0);
-    let mut lines = Vec::new();
-    for (verdict, key) in verdicts.iter().zip(keys) {
-        let Verdict { name, asks, points, wrong, cause } = verdict;
-        let word = if wrong.is_empty() { "right" } else { "wrong" };
-        lines.push(format!("{word}  {name:width$}  {}/{points}  {asks}", verdict.earned()));
-        let Some(first) = wrong.first() else { continue };
-        let count = match (wrong.len(), key.questions.len()) {
-            (_, 1) => String::new(),
-            (wrong, of) if wrong == of => format!("all {of} inputs; the first, "),
-            (wrong, of) => format!("{wrong} of {of} inputs; the first, "),
-        };
-        let input = &key.questions[first.question].input;
-        lines.push(format!("       {count}{input}: {}", said(&first.findings)));
-        if let Some(cause) = cause {
-            lines.push(format!("       likely cause: {cause}"));
-        }
-    }
-    let [earned, of] = [Verdict::earned, |verdict: &Verdict| verdict.points]
-        .map(|points: fn(&Verdict) -> u32| verdicts.iter().map(points).sum::<u32>());
-    lines.push(format!("{lesson}: {earned} of {of} points"));
-    if earned == of {
-        let next = tasks::lessons(Path::new(COURSE))?.into_iter().find(|next| next.as_str() > lesson);
-        lines.push(match next {
-            Some(next) => format!(
-                "Next: lessons/{next}/mission/src/lib.rs, and `cargo run -p my-{}`",
-                tasks::name(&next)
-            ),
-            None => "That was the last mission of this part.".into(),
-        });
-    }
-    Ok(lines.join("\n") + "\n")
-}
-
-/// Findings in one line.
-fn said(findings: &[Finding]) -> String {
-    findings.iter().map(Finding::to_string).collect::<Vec<_>>().join("; ")
-}
-
-/// The picture to look at, and what it shows: the first one that is wrong, or else that of the lesson.
-fn comparison(keys: &[AnswerKey], answers: &[Answer], verdicts: &[Verdict]) -> Option<(String, Image)> {
-    let asked = keys.iter().zip(verdicts).flat_map(|(key, verdict)| {
-        (key.questions.iter().enumerate()).map(move |(n, question)| {
-            let wrong = verdict.wrong.iter().any(|wrong| wrong.question == n);
-            (key.name, question, wrong)
-        })
-    });
-    let pictures: Vec<_> = asked
-        .zip(answers)
-        .filter_map(|((name, question, wrong), answer)| {
-            Some((name, question, wrong, pictures(question, answer)?))
-        })
-        .collect();
-    let wrong = pictures.iter().find(|&&(_, _, wrong, _)| wrong);
-    let (name, question, _, [expected, got, off]) =
-        wrong.or_else(|| pictures.iter().find(|&&(name, ..)| name == "picture"))?;
-    Some((format!("{name}: {}", question.input), side_by_side(&[expected, got, off]).ok()?))
+/// What there is to be seen.
+struct Shown {
+    title: String,
+    /// Expected, got, and their difference.
+    pictures: [Image; 3],
+    /// The first wrong pixel, and what it belongs to.
+    pixel: Option<IVec2>,
+    shape: Option<Shape>,
 }
 
 /// The pictures of a question that asks for one: expected, got, and their difference. Without a result, what

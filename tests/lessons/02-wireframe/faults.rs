@@ -1,33 +1,213 @@
-//! Each fault stands in the code here and is recognised by its result alone.
+//! Wrong versions of mission 2, by which the judge knows what was done.
 
-use common::{IVec2, Image, Vec3};
+use common::{Color, DVec2, IVec2, Image, Model, Vec2, Vec3};
+use judge::Fault;
 use wireframe_tasks::Wireframe;
 
-use crate::JUDGE;
+use crate::RIGHT;
 
-#[test]
-fn the_reference_earns_ten_points_for_any_seed() {
-    JUDGE.check();
+/// They are tried in this order.
+pub(crate) const FAULTS: &[Fault<Wireframe>] = &[
+    Fault {
+        cause: "rounded to the nearest: a pixel is a square, so cut off with floor()",
+        hint: Some(2),
+        versions: &[
+            Wireframe { to_pixel: |p, image| or_last(p, image, stretched(p, image).round()), ..RIGHT },
+            Wireframe { to_pixel: |p, image| pixel(stretched(p, image).round()), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "stretched to width - 1: columns are width pixels wide, (x + 1) * width / 2",
+        hint: Some(1),
+        versions: &[Wireframe {
+            to_pixel: |p, image| pixel(((flat(p) + 1.0) * (size(image) - 1.0) / 2.0).floor()),
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "half as large: from -1 to 1 are 2, so it is (x + 1) * width / 2, and x = -1 is column 0",
+        hint: Some(1),
+        versions: &[
+            Wireframe { to_pixel: |p, image| pixel((flat(p) * size(image)).floor()), ..RIGHT },
+            Wireframe { to_pixel: |p, image| pixel((flat(p) * size(image) / 2.0).floor()), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "the width is used for y as well: rows are counted by the height",
+        hint: None,
+        versions: &[Wireframe {
+            to_pixel: |p, image| {
+                let exact = ((flat(p) + 1.0) * f64::from(image.width()) / 2.0).floor();
+                or_last(p, image, exact)
+            },
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "it is upside down: y points up, row 0 is the lowest",
+        hint: None,
+        versions: &[
+            Wireframe {
+                to_pixel: |p, image| {
+                    let right = wireframe::to_pixel(p, image);
+                    IVec2::new(right.x, image.height() - 1 - right.y)
+                },
+                ..RIGHT
+            },
+            Wireframe {
+                to_pixel: |p, image| wireframe::to_pixel(p * Vec3::new(1.0, -1.0, 1.0), image),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "it is mirrored: x points to the right, column 0 is the leftmost",
+        hint: None,
+        versions: &[Wireframe {
+            to_pixel: |p, image| {
+                let right = wireframe::to_pixel(p, image);
+                IVec2::new(image.width() - 1 - right.x, right.y)
+            },
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "y and z are mixed up: z is the one that is dropped",
+        hint: None,
+        versions: &[Wireframe {
+            to_pixel: |p, image| wireframe::to_pixel(Vec3::new(p.x, p.z, 0.0), image),
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "off by one at the border: x = 1 gives column `width`, which does not exist; there it is width - 1",
+        hint: Some(3),
+        versions: &[Wireframe { to_pixel: |p, image| pixel(stretched(p, image).floor()), ..RIGHT }],
+    },
+    Fault {
+        cause: "cut off towards 0: below 0 that is inwards; floor() goes down everywhere",
+        hint: Some(2),
+        versions: &[
+            Wireframe { to_pixel: |p, image| or_last(p, image, stretched(p, image)), ..RIGHT },
+            Wireframe { to_pixel: |p, image| or_last(p, image, in_f32(p, image).as_dvec2()), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "what lies beyond the border is moved onto it: only x = 1 exactly belongs to the last column",
+        hint: Some(3),
+        versions: &[
+            Wireframe { to_pixel: |p, image| pixel(stretched(p, image).floor()).min(last(image)), ..RIGHT },
+            Wireframe {
+                to_pixel: |p, image| pixel(stretched(p, image).floor()).clamp(IVec2::ZERO, last(image)),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "computed in f32: x + 1 loses the last bits of x, so a point next to a border moves across; use f64",
+        hint: None,
+        versions: &[
+            Wireframe {
+                to_pixel: |p, image| or_last(p, image, in_f32(p, image).floor().as_dvec2()),
+                ..RIGHT
+            },
+            Wireframe {
+                to_pixel: |p, image| {
+                    let cut = in_f32(p, image).floor().as_ivec2();
+                    // The columns named `width` moved onto the border, as at 1.
+                    cut - IVec2::new((cut.x == image.width()).into(), (cut.y == image.height()).into())
+                },
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "a side of each triangle is missing: the third one goes from c back to a",
+        hint: Some(4),
+        versions: &[
+            Wireframe { wireframe: |model, image, color| some_sides(model, image, color, [0, 1]), ..RIGHT },
+            Wireframe { wireframe: |model, image, color| some_sides(model, image, color, [1, 2]), ..RIGHT },
+            Wireframe { wireframe: |model, image, color| some_sides(model, image, color, [0, 2]), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "the colour is always white: use the one that is given",
+        hint: None,
+        versions: &[Wireframe {
+            wireframe: |model, image, _| wireframe::wireframe(model, image, Color::WHITE),
+            ..RIGHT
+        }],
+    },
+];
+
+fn flat(point: Vec3) -> DVec2 {
+    point.truncate().as_dvec2()
 }
 
-#[test]
-fn each_fault_is_recognised() {
-    let check = |to_pixel, check, words| {
-        let functions = Wireframe { wireframe: wireframe::wireframe, to_pixel };
-        JUDGE.recognises(&functions, check, words);
-    };
-    let as_printed: fn(Vec3, &Image) -> IVec2 =
-        |p, image| ((p.truncate() + 1.0) * image.size() / 2.0).as_ivec2();
-    check(as_printed, "border", "off by one at the border");
-    check(as_printed, "outside", "cut off towards 0");
-    check(|p, image| ((p.truncate() + 1.0) * image.size() / 2.0).round().as_ivec2(), "pixel", "rounded");
-    check(|p, image| wireframe::to_pixel(p * Vec3::new(1.0, -1.0, 1.0), image), "pixel", "upside down");
-    let mirrored = Wireframe {
-        wireframe: |model, image, color| {
-            wireframe::wireframe(model, image, color);
-            image.flip_horizontally();
-        },
-        to_pixel: wireframe::to_pixel,
-    };
-    JUDGE.recognises(&mirrored, "picture", "mirrored");
+fn size(image: &Image) -> DVec2 {
+    image.size().as_dvec2()
+}
+
+/// x and y in pixels.
+fn stretched(point: Vec3, image: &Image) -> DVec2 {
+    (flat(point) + 1.0) * size(image) / 2.0
+}
+
+fn in_f32(point: Vec3, image: &Image) -> Vec2 {
+    (point.truncate() + 1.0) * image.size() / 2.0
+}
+
+/// Towards 0.
+fn pixel(exact: DVec2) -> IVec2 {
+    exact.as_ivec2()
+}
+
+fn last(image: &Image) -> IVec2 {
+    image.bounds().max
+}
+
+/// The same, but for coordinates of exactly 1.
+fn or_last(point: Vec3, image: &Image, exact: DVec2) -> IVec2 {
+    let (pixel, last) = (pixel(exact), last(image));
+    IVec2::new(if point.x == 1.0 { last.x } else { pixel.x }, if point.y == 1.0 { last.y } else { pixel.y })
+}
+
+fn some_sides(model: &Model, image: &mut Image, color: Color, sides: [usize; 2]) {
+    for corners in model.faces() {
+        let corners = corners.map(|corner| wireframe::to_pixel(corner, image));
+        for n in sides {
+            lines::line(corners[n], corners[(n + 1) % 3], image, color);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JUDGE;
+
+    #[test]
+    fn the_reference_earns_ten_points_for_any_seed() {
+        JUDGE.check();
+    }
+
+    #[test]
+    fn each_fault_is_recognised() {
+        let check = |to_pixel, check, words| {
+            let functions = Wireframe { wireframe: wireframe::wireframe, to_pixel };
+            JUDGE.recognises(&functions, check, words);
+        };
+        let as_printed: fn(Vec3, &Image) -> IVec2 =
+            |p, image| ((p.truncate() + 1.0) * image.size() / 2.0).as_ivec2();
+        check(as_printed, "border", "off by one at the border");
+        check(as_printed, "outside", "cut off towards 0");
+        check(|p, image| ((p.truncate() + 1.0) * image.size() / 2.0).round().as_ivec2(), "pixel", "rounded");
+        check(|p, image| wireframe::to_pixel(p * Vec3::new(1.0, -1.0, 1.0), image), "pixel", "upside down");
+        check(|p, image| wireframe::to_pixel(p * Vec3::new(-1.0, 1.0, 1.0), image), "pixel", "mirrored");
+    }
+
+    #[test]
+    fn each_is_named_by_what_it_does() {
+        JUDGE.check_faults();
+    }
 }

@@ -8,15 +8,19 @@
 //!
 //! Each lesson's mission is a package in `tests/lessons/NN-name/tasks`. It calls nothing that the mission asks for.
 
+mod code;
 mod raw;
 pub mod scenery;
 mod student;
 
 use std::path::Path;
 
+use common::Vec3;
 use fastrand::Rng;
 
+pub use code::Code;
 pub use raw::{Answer, Raw};
+pub use student::attempt;
 
 /// The course's folder.
 pub const COURSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -67,18 +71,42 @@ impl Precision {
     pub const NUMBERS: Self = Self { tolerance: 1e-4, strays: 0 };
 }
 
+/// What is drawn, in pixels, with its depth: the two ends of a segment, or the corners of a triangle.
+pub type Shape = Vec<Vec3>;
+
 /// Calls of a student's functions on one input.
 pub struct Task<F> {
-    /// The input, for the reader.
+    /// The input, for the reader: a call, or a few words.
     pub input: String,
+    /// The same as Rust, for a test in the student's crate. After it, `got` is what is judged.
+    pub code: String,
     /// Makes the calls.
     pub work: Box<dyn Fn(&F) -> Raw>,
+    /// What a picture consists of, in the order in which it is drawn. These functions place it.
+    pub shapes: Box<dyn Fn(&F) -> Vec<Shape>>,
 }
 
 impl<F> Task<F> {
-    /// A task from what goes in and what is done with it.
-    pub fn new(input: impl Into<String>, work: impl Fn(&F) -> Raw + 'static) -> Self {
-        Self { input: input.into(), work: Box::new(work) }
+    /// A task from what goes in, in words and as Rust, and what is done with it.
+    pub fn new(
+        input: impl Into<String>,
+        code: impl Into<String>,
+        work: impl Fn(&F) -> Raw + 'static,
+    ) -> Self {
+        let (input, code) = (input.into(), code.into());
+        Self { input, code, work: Box::new(work), shapes: Box::new(|_| Vec::new()) }
+    }
+
+    /// A single call, after the lines of Rust that it needs.
+    pub fn call(before: &str, call: String, work: impl Fn(&F) -> Raw + 'static) -> Self {
+        let code = format!("{before}let got = {call};");
+        Self::new(call, code, work)
+    }
+
+    /// The same task of a picture of these shapes.
+    #[must_use]
+    pub fn of(self, shapes: impl Fn(&F) -> Vec<Shape> + 'static) -> Self {
+        Self { shapes: Box::new(shapes), ..self }
     }
 }
 

@@ -18,7 +18,7 @@ pub enum Raw {
         /// Larger is nearer.
         values: Vec<f32>,
     },
-    /// A table of numbers, row by row: a matrix, or a row for each input.
+    /// A table of numbers, row by row: a matrix; or a single row, the coordinates of a value. `None` has no row.
     Numbers {
         /// Numbers in a row.
         columns: usize,
@@ -28,6 +28,12 @@ pub enum Raw {
 }
 
 impl Raw {
+    /// A value's coordinates.
+    #[must_use]
+    pub fn value<const N: usize>(value: [f32; N]) -> Self {
+        Self::rows([value])
+    }
+
     /// A table of numbers from its rows.
     #[must_use]
     pub fn rows<const N: usize>(rows: impl IntoIterator<Item = [f32; N]>) -> Self {

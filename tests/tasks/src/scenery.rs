@@ -19,6 +19,15 @@ pub static MODEL: LazyLock<Model> = LazyLock::new(|| {
     Model::read(Path::new(DEFAULT_MODEL), wanted).expect("the course's model is in its place")
 });
 
+/// That model as Rust.
+pub const MODEL_CODE: &str = "let model = Model::read(\n    common::program::model::DEFAULT_MODEL.as_ref(),\n    \
+                              common::Attributes { normals: true, uvs: true },\n)\n.expect(\"it is in its \
+                              place\");\n";
+
+/// That texture as Rust.
+pub const TEXTURE_CODE: &str = "let path = concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/../../../assets/crate.png\");\n\
+                                let texture = Image::read(path.as_ref()).expect(\"it is in its place\");\n";
+
 /// The painted wooden box.
 pub static TEXTURE: LazyLock<Image> = LazyLock::new(|| {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/crate.png");
@@ -65,12 +74,27 @@ pub struct Square {
     pub normals: [Vec3; 4],
 }
 
+/// A model of squares as Rust.
+#[must_use]
+pub fn squares_code(squares: &[Square]) -> String {
+    format!(
+        "let text = \"{}\";\nlet model = Model::parse(\n    text.as_bytes(),\n    \
+         common::Attributes {{ normals: true, uvs: true }},\n)\n.expect(\"the text is an OBJ file\");\n",
+        obj(squares).replace('\n', "\\n")
+    )
+}
+
 /// A model of squares.
 ///
 /// # Panics
 /// Where a number is not finite.
 #[must_use]
 pub fn squares(squares: &[Square]) -> Model {
+    Model::parse(obj(squares).as_bytes(), Attributes { normals: true, uvs: true })
+        .expect("the text is an OBJ file")
+}
+
+fn obj(squares: &[Square]) -> String {
     let mut text = String::from("vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n");
     for (n, Square { place: [left, bottom, right, top, z], normals }) in squares.iter().enumerate() {
         for (x, y) in [(left, bottom), (right, bottom), (right, top), (left, top)] {
@@ -82,5 +106,5 @@ pub fn squares(squares: &[Square]) -> Model {
         let corner = |k: usize| format!("{0}/{k}/{0}", 4 * n + k);
         text += &format!("f {} {} {} {}\n", corner(1), corner(2), corner(3), corner(4));
     }
-    Model::parse(text.as_bytes(), Attributes { normals: true, uvs: true }).expect("the text is an OBJ file")
+    text
 }

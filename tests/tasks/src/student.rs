@@ -1,22 +1,24 @@
 //! A student's program. It does the tasks with what the student wrote; the lesson's judge, which starts it for
 //! that, says what is right and what is not.
 
+use std::cell::RefCell;
 use std::io::Write;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, ExitStatus};
-use std::sync::Mutex;
+use std::sync::Once;
 use std::time::{Duration, SystemTime};
 
 use anyhow::{Context, bail, ensure};
 use common::terminal::{eprintln, print};
 
-use super::{Answer, COURSE, Mission, name};
+use super::{Answer, COURSE, Mission, Task, name};
 
 /// How often `--watch` looks whether a file was saved.
 const GLANCE: Duration = Duration::from_millis(200);
 
-const USAGE: &str = "flags: --watch (run again whenever you save), --quiet (no picture in the terminal)";
+const USAGE: &str = "flags: --watch (run again whenever you save), --quiet (no picture in the terminal), \
+                     --check NAME (only this one), --input N (print an input as Rust, for a test of your own)";
 
 impl<F> Mission<F> {
     /// Runs the mission on what a student wrote. `testing` is `cfg!(test)` of the caller: verdicts are then told
@@ -28,16 +30,21 @@ impl<F> Mission<F> {
         let arguments: Vec<String> = std::env::args().skip(1).collect();
         let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let result = match words.as_slice() {
-            ["--answer", file, from, seed] => self.answer(student, file, from, seed),
-            ["--watched", folder] => std::env::set_current_dir(folder)
+            ["--answer", file, from, seed] => self.answer(student, file, from, seed, None),
+            ["--answer", file, from, seed, check] => self.answer(student, file, from, seed, Some(check)),
+            ["--watched", folder, words @ ..] => std::env::set_current_dir(folder)
                 .map_err(Into::into)
-                .and_then(|()| self.judge("show", &[]))
+                .and_then(|()| self.judge("show", words))
                 // Cargo would have something to say about a failure.
                 .map(|_| ExitCode::SUCCESS),
             words if testing => self.judge("test", words),
+            ["--input", number] => self.judge("input", &[number]),
             [] => self.judge("show", &[]),
             ["--quiet"] => self.judge("tell", &[]),
-            ["--watch"] => self.watch(),
+            ["--watch"] => self.watch(&[]),
+            ["--check", check] => self.judge("show", &[check]),
+            ["--check", check, "--quiet"] | ["--quiet", "--check", check] => self.judge("tell", &[check]),
+            ["--check", check, "--watch"] | ["--watch", "--check", check] => self.watch(&[check]),
             _ => {
                 eprintln(USAGE);
                 return ExitCode::from(2);
@@ -49,30 +56,21 @@ impl<F> Mission<F> {
         })
     }
 
-    /// Does the tasks from the number `from` on and appends their answers to a file, a line each.
-    fn answer(&self, student: &F, file: &str, from: &str, seed: &str) -> anyhow::Result<ExitCode> {
-        static SAID: Mutex<String> = Mutex::new(String::new());
-        std::panic::set_hook(Box::new(|panic| {
-            let place = panic.location().map(|at| format!("{}:{}", at.file().replace('\\', "/"), at.line()));
-            let said = panic.payload_as_str().unwrap_or("a panic without a message");
-            if let Ok(mut last) = SAID.lock() {
-                *last = format!("{}: {said}", place.unwrap_or_default());
-            }
-        }));
+    /// Does the tasks, or those of one check, from the number `from` on and appends their answers to a file, a line
+    /// each.
+    fn answer(
+        &self,
+        student: &F,
+        file: &str,
+        from: &str,
+        seed: &str,
+        check: Option<&str>,
+    ) -> anyhow::Result<ExitCode> {
         let mut file = std::fs::OpenOptions::new().append(true).open(file)?;
-        for task in self.tasks(seed.parse()?).into_iter().flatten().skip(from.parse()?) {
-            let answer = match catch_unwind(AssertUnwindSafe(|| (task.work)(student))) {
-                Ok(raw) => Answer::Raw(raw),
-                Err(_) => {
-                    let said = SAID.lock().map(|said| said.clone()).unwrap_or_default();
-                    // The words with which `todo!` begins.
-                    match said.split_once(": not yet implemented") {
-                        Some((place, hint)) => Answer::Unwritten(format!("{place}{hint}")),
-                        None => Answer::Crashed(said),
-                    }
-                }
-            };
-            file.write_all(format!("{answer}\n").as_bytes())?;
+        let rows = self.checks.iter().zip(self.tasks(seed.parse()?));
+        let asked = rows.filter(|(own, _)| check.is_none_or(|check| own.name == check));
+        for task in asked.flat_map(|(_, tasks)| tasks).skip(from.parse()?) {
+            file.write_all(format!("{}\n", attempt(&task, student)).as_bytes())?;
         }
         Ok(ExitCode::SUCCESS)
     }
@@ -97,7 +95,7 @@ impl<F> Mission<F> {
     /// Runs the mission, and again whenever its source is saved.
     ///
     /// Cargo builds it as a test: a program that runs, as this one does, cannot be replaced on every system.
-    fn watch(&self) -> anyhow::Result<ExitCode> {
+    fn watch(&self, words: &[&str]) -> anyhow::Result<ExitCode> {
         let package = format!("my-{}", name(self.lesson));
         let Some(folder) = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from) else {
             bail!("--watch needs cargo: cargo run -p {package} -- --watch");
@@ -110,6 +108,7 @@ impl<F> Mission<F> {
             cargo("test", &package)
                 .args(["--quiet", "--bin", &package, "--", "--watched"])
                 .arg(std::env::current_dir()?)
+                .args(words)
                 .status()
                 .context(NO_CARGO)?;
             print(&format!("watching {}; Ctrl+C ends\n", source.display()))?;
@@ -117,6 +116,37 @@ impl<F> Mission<F> {
                 std::thread::sleep(GLANCE);
             }
         }
+    }
+}
+
+/// Does a task. A panic is an answer, too, and prints nothing.
+pub fn attempt<F>(task: &Task<F>, functions: &F) -> Answer {
+    thread_local! {
+        /// What a panic said; `None` where there is no task at hand.
+        static SAID: RefCell<Option<String>> = const { RefCell::new(None) };
+    }
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let usual = take_hook();
+        set_hook(Box::new(move |panic| {
+            if SAID.with_borrow(Option::is_none) {
+                return usual(panic);
+            }
+            let place = panic.location().map(|at| format!("{}:{}", at.file().replace('\\', "/"), at.line()));
+            let said = panic.payload_as_str().unwrap_or("a panic without a message");
+            SAID.set(Some(format!("{}: {said}", place.unwrap_or_default())));
+        }));
+    });
+    SAID.set(Some(String::new()));
+    let result = catch_unwind(AssertUnwindSafe(|| (task.work)(functions)));
+    let said = SAID.take().unwrap_or_default();
+    match result {
+        Ok(raw) => Answer::Raw(raw),
+        // The words with which `todo!` begins.
+        Err(_) => match said.split_once(": not yet implemented") {
+            Some((place, hint)) => Answer::Unwritten(format!("{place}{hint}")),
+            None => Answer::Crashed(said),
+        },
     }
 }
 

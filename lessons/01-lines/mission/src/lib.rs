@@ -2,8 +2,12 @@
 //!
 //! Write the body of [`line()`], then see what is right: `cargo run -p my-lines`.
 //!
-//! `image.set(x, y, color)` colours a pixel; outside the picture it does nothing. The origin is bottom-left, y
-//! points up. Coordinates are whole pixels: `a.x`, `a.y`, `b.x`, `b.y` are `i32`.
+//! What you need:
+//!
+//! - `a.x`, `a.y`, `b.x`, `b.y`: whole pixels, `i32`. The origin is bottom-left, y points up. For large numbers,
+//!   `i64::from(a.x)` and back, `x as i32`.
+//! - `image.set(x: i32, y: i32, color: Color)` colours a pixel; outside the picture it does nothing.
+//! - `n.abs()` and `n.signum()` (−1, 0 or 1) of whole numbers, `std::mem::swap(&mut a, &mut b)`.
 
 use common::{Color, IVec2, Image};
 

@@ -2,8 +2,15 @@
 //!
 //! Write the bodies of [`fill`] and [`flat_intensity`], then see what is right: `cargo run -p my-triangles`.
 //!
-//! glam's vectors know sums, products with numbers, `dot`, `min`, `max` and `abs`; `Vec3` knows `cross` and
-//! `normalize_or_zero`.
+//! What you need:
+//!
+//! - `bounds.min` and `bounds.max`: `IVec2`, the first and the last pixel, both included. So a loop over a row is
+//!   `for x in bounds.min.x..=bounds.max.x`.
+//! - `a - b` of vectors, `a * n` with a number, `a.min(b)` and `a.max(b)` coordinate by coordinate; `v.floor()`,
+//!   `v.as_ivec2()` makes an `IVec2` of a `Vec2`, `x as f32` an `f32` of an `i32`.
+//! - `a.perp_dot(b)`: `f32`, a.x·b.y − a.y·b.x, of two `Vec2`: twice the area of the triangle that they span.
+//! - Of `Vec3`: `a.cross(b)`, `a.dot(b)`, `a.normalize_or_zero()`, which is 1 long, or 0 where there is no length.
+//! - `visit(x: i32, y: i32, weights: Vec3)`; to call it, write `mut visit` among the parameters.
 
 use common::{Bounds, Vec2, Vec3};
 

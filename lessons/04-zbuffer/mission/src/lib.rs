@@ -2,9 +2,16 @@
 //!
 //! Write the bodies of [`fill_nearest`] and [`z_f32`], then see what is right: `cargo run -p my-zbuffer`.
 //!
-//! [`triangles::fill`] calls a closure for each pixel of a triangle, with its weights. A [`DepthBuffer`] keeps a
-//! depth for each pixel: `depths.get(x, y)`, `depths.set(x, y, depth)`, `depths.bounds()`. A larger depth is
-//! nearer; where nothing is drawn yet, it is −∞.
+//! What you need:
+//!
+//! - [`triangles::fill`]`(corners: [Vec2; 3], bounds: Bounds, visit)` calls `visit(x: i32, y: i32, weights: Vec3)` for
+//!   each pixel of a triangle.
+//! - A [`DepthBuffer`]`<D>` keeps a depth of type `D` for each pixel: `depths.get(x, y)` is one,
+//!   `depths.set(x, y, depth)` keeps one, `depths.bounds()` are its pixels, and `DepthBuffer::new(image, nothing)` makes
+//!   one for a picture. A larger depth is nearer; where nothing is drawn yet, it is −∞, `f32::NEG_INFINITY`.
+//! - [`Surface`]: `corners: [Vec3; 3]`, x and y in pixels and z the depth, and `color: Color`.
+//! - `corners.map(|corner| …)` makes an array of another; `corner.truncate()` is the `Vec2` of x and y;
+//!   `Vec3::new(a, b, c).dot(weights)` the sum of three products.
 
 use common::{Image, Vec3};
 

@@ -3,8 +3,18 @@
 //! Write the bodies of [`texel`], [`interpolate`] and [`draw_textured`], then see what is right:
 //! `cargo run -p my-textures`.
 //!
-//! `texture.get(x, y)` is the colour of a texel, or `None` outside; `texture.size()` is its width and height as
-//! a `Vec2`. From below come [`triangles::flat_intensity`], [`zbuffer::fill_nearest`] and [`zbuffer::to_screen`].
+//! What you need:
+//!
+//! - `texture.get(x: i32, y: i32)`: the colour of a texel, `Some(color)`, or `None` outside;
+//!   `option.unwrap_or(Color::BLACK)` is the colour or else black.
+//! - `texture.size()`: width and height as a `Vec2`; `uv * texture.size()` multiplies coordinate by coordinate.
+//!   `texture.width()`, `texture.height()`: `i32`. `texture.bounds()`: its first and last texel, both included.
+//! - `v.floor()`, `v.as_ivec2()`, and `n.max(low).min(high)`, which, unlike `clamp`, does not panic where high < low.
+//! - [`triangles::flat_intensity`]`(corners: [Vec3; 3], light: Vec3) -> f32`;
+//!   [`zbuffer::to_screen`]`(point: Vec3, size: Vec2) -> Vec3`, pixels and depth.
+//! - [`zbuffer::fill_nearest`]`(corners: [Vec3; 3], depths: &mut DepthBuffer<f32>, store, visit)`, with
+//!   `|depth| depth` for `store` and `visit(x: i32, y: i32, weights: Vec3)`;
+//!   `DepthBuffer::new(image, f32::NEG_INFINITY)` makes the buffer.
 
 use common::{Color, Image, Model, Vec2, Vec3};
 use zbuffer::DepthBuffer;

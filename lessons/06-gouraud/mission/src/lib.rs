@@ -2,8 +2,18 @@
 //!
 //! Write the bodies of [`intensities`] and [`gouraud()`], then see what is right: `cargo run -p my-gouraud`.
 //!
-//! From below come [`textures::texel`], [`textures::interpolate`], [`zbuffer::DepthBuffer`] and
-//! [`zbuffer::fill_nearest`].
+//! What you need:
+//!
+//! - [`Scene`]: `model`, `normals` (of triangle n, `scene.normals[n]: [Vec3; 3]`), `texture: &Image`, `light: Vec3`, which is
+//!   1 long. [`Drawn`]: `depths: DepthBuffer<f32>`, `left_out: usize`.
+//! - `model.faces()` and `model.face_uvs()`: iterators over `[Vec3; 3]` and `[Vec2; 3]`; `zip` makes pairs of two,
+//!   `enumerate` numbers them.
+//! - [`textures::texel`]`(texture: &Image, uv: Vec2) -> Color`,
+//!   [`textures::interpolate`]`(uvs: [Vec2; 3], weights: Vec3) -> Vec2`, `color.shaded(intensity: f32)`.
+//! - [`zbuffer::fill_nearest`]`(corners: [Vec3; 3], depths: &mut DepthBuffer<f32>, store, visit)` and
+//!   [`zbuffer::DepthBuffer`], as in lesson 5.
+//! - `Vec3::from_array([a, b, c])`, `a.dot(b)`; `let [Some(a), Some(b), Some(c)] = … else { … };` takes three values out, or
+//!   does what stands behind `else` where one is missing.
 
 use common::{Image, Vec3};
 

@@ -3,8 +3,14 @@
 //! Write the bodies of [`viewport`], [`projection`] and [`place`], then see what is right:
 //! `cargo run -p my-transforms`.
 //!
-//! Vectors are columns, `m * v`, so that of a product the rightmost matrix acts first. `m.x_axis`, …, `m.w_axis`
-//! are a matrix's columns; `m.z_axis.w` is column z, row w.
+//! What you need:
+//!
+//! - Vectors are columns, `m * v`, so that of a product the rightmost matrix acts first. `Mat4::IDENTITY` is a matrix;
+//!   `m.x_axis`, …, `m.w_axis` are its columns, each a `Vec4`; `m.z_axis.w` is column z, row w, an `f32`.
+//! - [`translate`]`(by: Vec3) -> Mat4` moves, [`scale`]`(by: Vec3) -> Mat4` stretches.
+//! - `point.extend(1.0)`: a `Vec4`, with w = 1; `*m * v` with a reference to a matrix. `v.truncate()` is the `Vec3` of x, y
+//!   and z, as is `v.xyz()`, for which you write `use common::Vec4Swizzles;`.
+//! - `Some(place)` and `None`; `1.0 / f32::INFINITY` is 0.
 
 use common::{Mat4, Vec3};
 

@@ -2,8 +2,13 @@
 //!
 //! Write the bodies of [`basis`] and [`lookat`], then see what is right: `cargo run -p my-camera`.
 //!
-//! `Mat3::from_cols(x, y, z)` takes columns, `m.transpose()` makes them rows, `Mat4::from_mat3(m)` a matrix for
-//! points. `v.try_normalize()` is `None` for a vector without length. [`transforms::translate`] moves points.
+//! What you need:
+//!
+//! - `Mat3::from_cols(x: Vec3, y: Vec3, z: Vec3)` takes columns, `m.transpose()` makes them rows, `Mat4::from_mat3(m)` a
+//!   matrix for points.
+//! - `a.cross(b)`, which is not 1 long; `v.try_normalize()`: `Some` vector 1 long, or `None` where there is no length. A `?`
+//!   behind it returns `None` from your function as well.
+//! - [`transforms::translate`]`(by: Vec3) -> Mat4` moves points.
 
 use common::{Mat3, Mat4, Vec3};
 

@@ -3,9 +3,15 @@
 //! Write the bodies of the methods, then see what is right: `cargo run -p my-shaders`. A look is a colour
 //! source under a lighting: white or [`Texture`] under [`Gouraud`], white under [`Quantized`].
 //!
-//! [`Uniforms`] are what all shaders read: `model.uv(face, corner)`, `normals[face][corner]`, `texture`, `light` and
-//! `levels`. What a method returns for a corner is interpolated, and comes back at each pixel. From below comes
-//! [`textures::texel`].
+//! What you need:
+//!
+//! - [`Uniforms`] are what all shaders read: `model.uv(face, corner)`, a `Vec2`; `normals[face][corner]`, a `Vec3`;
+//!   `texture: Option<&Image>`; `light: Vec3`; `levels: u16`. `face` and `corner` are `usize`, a corner 0, 1 or 2.
+//! - What a method returns for a corner is interpolated, and comes back at each pixel.
+//! - [`textures::texel`]`(texture: &Image, uv: Vec2) -> Color`.
+//! - `option.map_or(other, |value| …)`: what the closure makes of the value, or the other where there is none.
+//! - `Gouraud.corner(…)` calls a method of the trait on a value of the type `Gouraud`; the type has no fields, so its name
+//!   is the value.
 
 use common::{Color, Vec2};
 

@@ -12,6 +12,7 @@ fn main() -> ExitCode {
         gouraud: |uniforms, target| draw(uniforms, White, Gouraud, target),
         gouraud_texture: |uniforms, target| draw(uniforms, Texture, Gouraud, target),
         quantized: |uniforms, target| draw(uniforms, White, Quantized, target),
+        quantized_texture: |uniforms, target| draw(uniforms, Texture, Quantized, target),
     };
     MISSION.run(&student, cfg!(test))
 }

@@ -1,8 +1,8 @@
 //! Mission 1: the pixels of a segment.
 
-use common::{Color, Format, IVec2, Image};
+use common::{Color, Format, IVec2, Image, Vec3};
 use fastrand::Rng;
-use tasks::{Check, Mission, Precision, Raw, Task};
+use tasks::{Check, Code, Mission, Precision, Raw, Task};
 
 /// What the student writes.
 #[derive(Clone, Copy)]
@@ -49,12 +49,12 @@ pub const MISSION: Mission<Lines> = Mission {
             tasks: |rng| {
                 let mut tasks = some(rng, false, |low, high| (high, low));
                 tasks.extend(some(rng, true, |low, high| (high, low)));
-                // Half-way, this one is exactly between two pixels, of which the lower end's is right.
-                let (a, b) = (IVec2::new(3, 3), IVec2::new(13, 8));
-                tasks.extend([
-                    drawing(64, vec![(a, b, Color::WHITE)]),
-                    drawing(64, vec![(b, a, Color::WHITE)]),
-                ]);
+                // Half-way, these are exactly between two pixels, of which the lower end's is right.
+                for end in [(10, 5), (10, -5), (5, 10), (-5, 10)] {
+                    let a = IVec2::new(rng.i32(10..40), rng.i32(10..40));
+                    let b = a + IVec2::from(end);
+                    tasks.extend([(a, b), (b, a)].map(|(a, b)| drawing(64, vec![(a, b, Color::WHITE)])));
+                }
                 tasks
             },
             precision: Precision::EXACT,
@@ -91,14 +91,26 @@ pub const MISSION: Mission<Lines> = Mission {
 
 /// Draws segments into a square picture.
 fn drawing(side: u16, segments: Vec<Segment>) -> Task<Lines> {
-    let ends = segments.iter().map(|(a, b, _)| format!("({}, {})-({}, {})", a.x, a.y, b.x, b.y));
-    Task::new(ends.collect::<Vec<_>>().join(" and "), move |student: &Lines| {
+    let call = |(a, b, _): &Segment| format!("line(({}, {}), ({}, {}))", a.x, a.y, b.x, b.y);
+    let input = segments.iter().map(call).collect::<Vec<_>>().join(" and ");
+    let mut code = format!("let mut got = Image::new({side}, {side}, Format::Rgb);\n");
+    for (a, b, color) in &segments {
+        code += &format!("line({}, {}, &mut got, {});\n", a.code(), b.code(), color.code());
+    }
+    let shapes: Vec<_> =
+        segments.iter().map(|(a, b, _)| vec![a, b].into_iter().map(center).collect()).collect();
+    Task::new(input, code, move |student: &Lines| {
         let mut image = Image::new(side, side, Format::Rgb);
         for &(a, b, color) in &segments {
             (student.line)(a, b, &mut image, color);
         }
         Raw::Picture(image)
     })
+    .of(move |_| shapes.clone())
+}
+
+fn center(pixel: &IVec2) -> Vec3 {
+    (pixel.as_vec2() + 0.5).extend(0.0)
 }
 
 /// Six segments, steep or not, with the ends in the order that `order` says. Their lengths are odd, so that

@@ -2,8 +2,8 @@
 
 use common::{Color, IVec2, Image, Model, Vec3};
 use fastrand::Rng;
-use tasks::scenery::{MODEL, SIDE, canvas, signed};
-use tasks::{Check, Mission, Precision, Raw, Task};
+use tasks::scenery::{MODEL, MODEL_CODE, SIDE, canvas, signed};
+use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
 
 /// What the student writes.
 #[derive(Clone, Copy)]
@@ -26,14 +26,8 @@ pub const MISSION: Mission<Wireframe> = Mission {
             asks: "the pixel in which a point lies",
             points: 2,
             tasks: |rng| {
-                // Well inside a pixel's upper right quarter, where rounding goes wrong and cutting off does not.
-                let within = |rng: &mut Rng, size: i32| {
-                    let pixel = rng.i32(0..size - 1) as f32 + 0.6 + 0.3 * rng.f32();
-                    pixel * 2.0 / size as f32 - 1.0
-                };
-                let points =
-                    (0..12).map(|_| Vec3::new(within(rng, SIZE.x), within(rng, SIZE.y), signed(rng)));
-                vec![pixels("points inside the picture", points.collect())]
+                let mut inside = || Vec3::new(within(rng, SIZE.x), within(rng, SIZE.y), signed(rng));
+                (0..12).map(|_| pixel(inside())).collect()
             },
             precision: Precision::EXACT,
         },
@@ -41,9 +35,10 @@ pub const MISSION: Mission<Wireframe> = Mission {
             name: "border",
             asks: "a point at exactly 1 lies in the last column or row",
             points: 2,
-            tasks: |_| {
-                let points = [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (0.5, 0.5)];
-                vec![pixels("points on the border", points.map(|(x, y)| Vec3::new(x, y, 0.0)).into())]
+            tasks: |rng| {
+                let (x, y) = (within(rng, SIZE.x), within(rng, SIZE.y));
+                let points = [(1.0, y), (x, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, y)];
+                points.map(|(x, y)| pixel(Vec3::new(x, y, 0.0))).into()
             },
             precision: Precision::EXACT,
         },
@@ -51,9 +46,21 @@ pub const MISSION: Mission<Wireframe> = Mission {
             name: "outside",
             asks: "a point beyond the border lies beyond the picture",
             points: 1,
-            tasks: |_| {
-                let points = [(-1.01, 0.3), (0.3, -1.01), (1.2, 0.3), (0.3, 1.2), (-3.01, -2.02)];
-                vec![pixels("points beyond the border", points.map(|(x, y)| Vec3::new(x, y, 0.0)).into())]
+            tasks: |rng| {
+                let (x, y) = (within(rng, SIZE.x), within(rng, SIZE.y));
+                let points = [(-1.01, y), (x, -1.01), (1.2, y), (x, 1.2), (-3.01, -2.02)];
+                points.map(|(x, y)| pixel(Vec3::new(x, y, 0.0))).into()
+            },
+            precision: Precision::EXACT,
+        },
+        Check {
+            name: "rounding",
+            asks: "a point next to a pixel's border lies on its own side of it, to the last bit",
+            points: 1,
+            tasks: |rng| {
+                let (x, y) = (within(rng, SIZE.x), within(rng, SIZE.y));
+                let points = [(BELOW_1, y), (x, BELOW_1), (-1e-8, y), (x, -1e-8)];
+                points.map(|(x, y)| pixel(Vec3::new(x, y, 0.0))).into()
             },
             precision: Precision::EXACT,
         },
@@ -67,13 +74,18 @@ pub const MISSION: Mission<Wireframe> = Mission {
         Check {
             name: "picture",
             asks: "the model",
-            points: 3,
+            points: 2,
             tasks: |_| {
-                vec![Task::new("the model", |student: &Wireframe| {
+                let code = format!(
+                    "{MODEL_CODE}let mut got = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
+                     wireframe(&model, &mut got, Color::WHITE);"
+                );
+                let task = Task::new("the model", code, |student: &Wireframe| {
                     let mut image = canvas(SIDE, SIDE);
                     (student.wireframe)(&MODEL, &mut image, Color::WHITE);
                     Raw::Picture(image)
-                })]
+                });
+                vec![task.of(|functions| sides(functions, &MODEL, &canvas(SIDE, SIDE)))]
             },
             // Points of the model may lie on a pixel's border, where the last bit decides.
             precision: Precision { tolerance: 0.0, ..Precision::MODEL },
@@ -81,26 +93,55 @@ pub const MISSION: Mission<Wireframe> = Mission {
     ],
 };
 
-/// The pixels of points, a row each.
-fn pixels(input: &str, points: Vec<Vec3>) -> Task<Wireframe> {
-    Task::new(input, move |student: &Wireframe| {
+/// The largest number below 1.
+const BELOW_1: f32 = 1.0f32.next_down();
+
+/// A coordinate well inside a pixel's upper or right quarter, where rounding goes wrong and cutting off does not.
+fn within(rng: &mut Rng, size: i32) -> f32 {
+    let pixel = rng.i32(0..size - 1) as f32 + 0.6 + 0.3 * rng.f32();
+    pixel * 2.0 / size as f32 - 1.0
+}
+
+/// The pixel of a point.
+fn pixel(point: Vec3) -> Task<Wireframe> {
+    let before = format!("let image = Image::new({}, {}, Format::Rgb);\n", SIZE.x, SIZE.y);
+    let call = format!("to_pixel({}, &image)", point.code());
+    Task::call(&before, call, move |student: &Wireframe| {
         let image = canvas(SIZE.x as u16, SIZE.y as u16);
-        Raw::rows(points.iter().map(|&point| (student.to_pixel)(point, &image).as_vec2().to_array()))
+        Raw::value((student.to_pixel)(point, &image).as_vec2().to_array())
     })
 }
 
 /// Three triangles with corners in the middle of pixels; the last two share a side.
 fn few(rng: &mut Rng) -> Task<Wireframe> {
+    const TRIANGLES: [[u32; 3]; 3] = [[0, 1, 2], [3, 4, 5], [5, 4, 6]];
     let mut corner = || {
         let pixel = [SIZE.x, SIZE.y].map(|size| (rng.i32(0..size) as f32 + 0.5) * 2.0 / size as f32 - 1.0);
         Vec3::new(pixel[0], pixel[1], 0.0)
     };
-    let positions: Vec<Vec3> = (0..7).map(|_| corner()).collect();
+    let positions = [(); 7].map(|()| corner());
+    let code = format!(
+        "let model = Model::from_triangles(vec!{}, vec!{TRIANGLES:?}).expect(\"it is one\");\n\
+         let mut got = Image::new({}, {}, Format::Rgb);\nwireframe(&model, &mut got, Color::GREEN);",
+        positions.code(),
+        SIZE.x,
+        SIZE.y
+    );
     let model =
-        Model::from_triangles(positions, vec![[0, 1, 2], [3, 4, 5], [5, 4, 6]]).expect("they are finite");
-    Task::new("three triangles", move |student: &Wireframe| {
-        let mut image = canvas(SIZE.x as u16, SIZE.y as u16);
-        (student.wireframe)(&model, &mut image, Color::WHITE);
+        Model::from_triangles(positions.to_vec(), TRIANGLES.to_vec()).expect("its corners are finite");
+    let small = || canvas(SIZE.x as u16, SIZE.y as u16);
+    let drawn = model.clone();
+    Task::new("three green triangles", code, move |student: &Wireframe| {
+        let mut image = small();
+        (student.wireframe)(&drawn, &mut image, Color::GREEN);
         Raw::Picture(image)
     })
+    .of(move |functions| sides(functions, &model, &small()))
+}
+
+/// The sides of a model's triangles, from the middle of a pixel to that of another.
+fn sides(functions: &Wireframe, model: &Model, image: &Image) -> Vec<Shape> {
+    let center = |corner| ((functions.to_pixel)(corner, image).as_vec2() + 0.5).extend(0.0);
+    let triangles = model.faces().map(|corners| corners.map(center));
+    triangles.flat_map(|[a, b, c]| [vec![a, b], vec![b, c], vec![c, a]]).collect()
 }

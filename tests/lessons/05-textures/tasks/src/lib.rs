@@ -2,8 +2,8 @@
 
 use common::{Color, Image, Model, Vec2, Vec3};
 use fastrand::Rng;
-use tasks::scenery::{LIGHT, MODEL, SIDE, TEXTURE, canvas, noise, signed};
-use tasks::{Check, Mission, Precision, Raw, Task};
+use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, signed};
+use tasks::{Check, Code, Mission, Precision, Raw, Task};
 use zbuffer::DepthBuffer;
 
 /// What the student writes.
@@ -20,8 +20,8 @@ pub struct Textures {
 /// A model, the light, a picture, and the colour at (u, v).
 pub type Draw = fn(&Model, Vec3, &mut Image, &dyn Fn(Vec2) -> Color) -> DepthBuffer<f32>;
 
-/// The side of the random texture.
-pub const TEXELS: u16 = 16;
+/// Width and height of the small texture.
+const TEXELS: [u16; 2] = [16, 12];
 
 /// The mission.
 pub const MISSION: Mission<Textures> = Mission {
@@ -29,34 +29,41 @@ pub const MISSION: Mission<Textures> = Mission {
     checks: &[
         Check {
             name: "texels",
-            asks: "the middle of each texel of a texture",
+            asks: "the middle of a texel; red is 16 times its column, green 16 times its row",
             points: 2,
-            tasks: |rng| vec![looked_up("the middle of each texel", noise(rng, TEXELS), grid(0.5))],
+            tasks: |rng| (0..8).map(|_| looked_up(TEXELS, inside(rng, [0.5, 0.5]))).collect(),
             precision: Precision::EXACT,
         },
         Check {
             name: "within",
             asks: "all of a texel has its colour, not only the middle",
-            points: 2,
+            points: 1,
             tasks: |rng| {
-                let texture = noise(rng, TEXELS);
-                [0.25, 0.75]
-                    .map(|at| looked_up(&format!("at {at} of each texel"), texture.clone(), grid(at)))
-                    .into()
+                let place = |rng: &mut Rng| [0.1 + 0.8 * rng.f32(), 0.6 + 0.3 * rng.f32()];
+                let mut tasks = Vec::new();
+                for _ in 0..4 {
+                    let [a, b] = place(rng);
+                    tasks.extend([[a, b], [b, a]].map(|within| looked_up(TEXELS, inside(rng, within))));
+                }
+                tasks
             },
             precision: Precision::EXACT,
         },
         Check {
             name: "border",
-            asks: "at u = 1, v = 1 and outside: the nearest texel; u and v are −1½, 0, ½, 1 and 1½",
+            asks: "at u = 1, v = 1 and outside: the nearest texel; without texels, black",
             points: 2,
             tasks: |rng| {
-                let along = [-1.5, 0.0, 0.5, 1.0, 1.5];
-                let places: Vec<Vec2> = along.iter().flat_map(|&v| along.map(|u| Vec2::new(u, v))).collect();
-                vec![
-                    looked_up("25 places", noise(rng, TEXELS), places.clone()),
-                    looked_up("one texel", noise(rng, 1), places),
-                ]
+                let Vec2 { x, y } = inside(rng, [0.5, 0.5]);
+                let beyond = 1.0 + rng.f32();
+                let places =
+                    [(1.0, y), (x, 1.0), (1.0, 1.0), (0.0, 0.0), (-beyond, y), (x, -beyond), (beyond, y)];
+                let more = [(x, beyond), (-0.01, y), (x, -0.01), (beyond, -beyond)];
+                let of = |size: [u16; 2]| move |(u, v)| looked_up(size, Vec2::new(u, v));
+                let mut tasks: Vec<_> = places.into_iter().chain(more).map(of(TEXELS)).collect();
+                tasks.extend([(0.0, 0.5), (0.7, 0.7), (1.0, 1.0), (-1.5, beyond)].map(of([1, 1])));
+                tasks.push(of([0, 0])((0.5, 0.5)));
+                tasks
             },
             precision: Precision::EXACT,
         },
@@ -64,60 +71,97 @@ pub const MISSION: Mission<Textures> = Mission {
             name: "interpolate",
             asks: "the mean of three corners' (u, v), each with its weight",
             points: 1,
-            tasks: |rng| {
-                let input: Vec<_> = (0..8).map(|_| (uvs(rng), weights(rng))).collect();
-                vec![Task::new("corners and weights", move |student: &Textures| {
-                    Raw::rows(
-                        input.iter().map(|&(uvs, weights)| (student.interpolate)(uvs, weights).to_array()),
-                    )
-                })]
-            },
+            tasks: |rng| (0..8).map(|_| interpolated(uvs(rng), weights(rng))).collect(),
             precision: Precision::NUMBERS,
         },
         Check {
             name: "coordinates",
-            asks: "the model with u in red and v in green",
+            asks: "the model with u in red and v in green, flat-shaded",
             points: 1,
             tasks: |_| {
-                vec![model("the model", |_, uv| Color::rgb((uv.x * 255.0) as u8, (uv.y * 255.0) as u8, 64))]
+                let code = "|uv| Color::rgb((uv.x * 255.0) as u8, (uv.y * 255.0) as u8, 64)";
+                let color =
+                    |_: &Textures, uv: Vec2| Color::rgb((uv.x * 255.0) as u8, (uv.y * 255.0) as u8, 64);
+                vec![model(code, color, |image, _| Raw::Picture(image))]
             },
             precision: Precision::MODEL,
+        },
+        Check {
+            name: "depths",
+            asks: "the depths that the drawing leaves behind",
+            points: 1,
+            tasks: |_| {
+                let depths =
+                    |_, depths: &DepthBuffer<f32>| Raw::depths(depths.bounds(), |x, y| depths.get(x, y));
+                vec![model("|_| Color::WHITE", |_, _| Color::WHITE, depths)]
+            },
+            precision: Precision { tolerance: 1e-3, ..Precision::MODEL },
         },
         Check {
             name: "picture",
             asks: "the model with a texture, flat-shaded",
             points: 2,
-            tasks: |_| vec![model("the model", |student, uv| (student.texel)(&TEXTURE, uv))],
+            tasks: |_| {
+                let color = |student: &Textures, uv| (student.texel)(&TEXTURE, uv);
+                vec![model("|uv| texel(&texture, uv)", color, |image, _| Raw::Picture(image))]
+            },
             precision: Precision::MODEL,
         },
     ],
 };
 
-/// The (u, v) at the same place in each texel.
-fn grid(at: f32) -> Vec<Vec2> {
-    let texels = 0..TEXELS;
-    let along = move |n: u16| (f32::from(n) + at) / f32::from(TEXELS);
-    texels.clone().flat_map(|y| texels.clone().map(move |x| Vec2::new(along(x), along(y)))).collect()
+/// The (u, v) of a place in some texel.
+fn inside(rng: &mut Rng, within: [f32; 2]) -> Vec2 {
+    let [u, v] = [0, 1].map(|n| (f32::from(rng.u16(0..TEXELS[n])) + within[n]) / f32::from(TEXELS[n]));
+    Vec2::new(u, v)
 }
 
-/// The colours at places that form a square, as a picture.
-fn looked_up(input: &str, texture: Image, places: Vec<Vec2>) -> Task<Textures> {
-    Task::new(input, move |student: &Textures| {
-        let side = places.len().isqrt();
-        let mut image = canvas(side as u16, side as u16);
-        for (n, &uv) in places.iter().enumerate() {
-            image.set((n % side) as i32, (n / side) as i32, (student.texel)(&texture, uv));
-        }
-        Raw::Picture(image)
-    })
+/// The colour at a place in a texture whose texels say where they are.
+fn looked_up([width, height]: [u16; 2], uv: Vec2) -> Task<Textures> {
+    let before = format!(
+        "let mut texture = Image::new({width}, {height}, Format::Rgb);\n\
+         for (x, y, _) in texture.clone().pixels() {{\n    \
+         texture.set(x, y, Color::rgb(16 * x as u8, 16 * y as u8, 99));\n}}\n"
+    );
+    let mut texture = canvas(width, height);
+    for (x, y, _) in texture.clone().pixels() {
+        texture.set(x, y, Color::rgb(16 * x as u8, 16 * y as u8, 99));
+    }
+    let task = Task::call(&before, format!("texel(&texture, {})", uv.code()), move |student: &Textures| {
+        let Color { r, g, b, .. } = (student.texel)(&texture, uv);
+        Raw::value([r, g, b].map(f32::from))
+    });
+    Task { input: format!("texel(a texture of {width}x{height}, {})", uv.code()), ..task }
+}
+
+/// The mean of three corners' (u, v).
+fn interpolated(uvs: [Vec2; 3], weights: Vec3) -> Task<Textures> {
+    let call = format!("interpolate({}, {})", uvs.code(), weights.code());
+    Task::call("", call, move |student: &Textures| Raw::value((student.interpolate)(uvs, weights).to_array()))
 }
 
 /// The model in colours that depend on (u, v).
-fn model(input: &str, color: fn(&Textures, Vec2) -> Color) -> Task<Textures> {
-    Task::new(input, move |student: &Textures| {
+fn model(
+    code: &str,
+    color: fn(&Textures, Vec2) -> Color,
+    result: fn(Image, &DepthBuffer<f32>) -> Raw,
+) -> Task<Textures> {
+    let texture = if code.contains("&texture") { TEXTURE_CODE } else { "" };
+    let (light, call) = (LIGHT.code(), format!("draw_textured(&model, light, &mut image, {code})"));
+    let code = format!(
+        "{MODEL_CODE}{texture}let light = {light};\nlet mut image = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
+         let depths = {call};\nlet got = {};",
+        if code.contains("WHITE") { "depths" } else { "{ let _ = depths; image }" }
+    );
+    Task::new("the model", code, move |student: &Textures| {
         let mut image = canvas(SIDE, SIDE);
-        (student.draw_textured)(&MODEL, LIGHT, &mut image, &|uv| color(student, uv));
-        Raw::Picture(image)
+        let depths = (student.draw_textured)(&MODEL, LIGHT, &mut image, &|uv| color(student, uv));
+        result(image, &depths)
+    })
+    .of(|_| {
+        let size = Vec2::splat(f32::from(SIDE));
+        let lit = MODEL.faces().filter(|&corners| triangles::flat_intensity(corners, LIGHT) >= 0.0);
+        lit.map(|corners| corners.map(|corner| zbuffer::to_screen(corner, size)).into()).collect()
     })
 }
 

@@ -3,8 +3,8 @@
 use common::{Mat4, Vec3};
 use fastrand::Rng;
 use gouraud::{Scene, Wrap, corner_normals};
-use tasks::scenery::{LIGHT, MODEL, SIDE, TEXTURE, canvas, point};
-use tasks::{Check, Mission, Precision, Raw, Task};
+use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, point, signed};
+use tasks::{Check, Code, Mission, Precision, Raw, Task};
 
 /// What the student writes.
 #[derive(Clone, Copy)]
@@ -29,7 +29,8 @@ pub const MISSION: Mission<Transforms> = Mission {
                 let mut size = || [rng.i32(20..900) as f32, rng.i32(20..900) as f32, 0.3 + 0.3 * rng.f32()];
                 let some = [[800.0, 600.0, 0.5], size(), size()];
                 let task = |[width, height, zoom]: [f32; 3]| {
-                    Task::new(format!("{width}x{height}, zoom {zoom:.2}"), move |student: &Transforms| {
+                    let call = format!("viewport({}, {}, {})", width.code(), height.code(), zoom.code());
+                    Task::call("", call, move |student: &Transforms| {
                         Raw::matrix((student.viewport)(width, height, zoom))
                     })
                 };
@@ -41,7 +42,7 @@ pub const MISSION: Mission<Transforms> = Mission {
             name: "projection",
             asks: "the matrix that makes w = 1 − z/d",
             points: 2,
-            tasks: |_| [2.0, 5.0, 1.25].map(projected).into(),
+            tasks: |rng| [2.0, 1.25, 3.0 + 3.0 * rng.f32()].map(projected).into(),
             precision: Precision::NUMBERS,
         },
         Check {
@@ -55,14 +56,23 @@ pub const MISSION: Mission<Transforms> = Mission {
             name: "place",
             asks: "a point under a matrix, divided by its w",
             points: 2,
-            tasks: |rng| vec![placed(rng, 1.0)],
+            tasks: |rng| placed(rng, 1.0),
             precision: Precision::NUMBERS,
         },
         Check {
             name: "behind",
             asks: "no place at the eye's height and behind it, where w ≤ 1e-6",
             points: 1,
-            tasks: |rng| vec![placed(rng, -1.0)],
+            tasks: |rng| {
+                let mut tasks = placed(rng, -1.0);
+                let p = point(rng);
+                tasks.extend([0.0, 1e-7, 1e-6, 2e-6].map(|w| {
+                    let mut m = Mat4::IDENTITY;
+                    m.w_axis.w = w;
+                    place(m, p)
+                }));
+                tasks
+            },
             precision: Precision::NUMBERS,
         },
         Check {
@@ -76,26 +86,47 @@ pub const MISSION: Mission<Transforms> = Mission {
 };
 
 fn projected(d: f32) -> Task<Transforms> {
-    Task::new(format!("d = {d}"), move |student: &Transforms| Raw::matrix((student.projection)(d)))
+    let call = format!("projection({})", d.code());
+    Task::call("", call, move |student: &Transforms| Raw::matrix((student.projection)(d)))
 }
 
-/// Points under a matrix, a row each, NaN for those without a place; w is positive or negative.
-fn placed(rng: &mut Rng, sign: f32) -> Task<Transforms> {
+/// Points under a matrix; w is positive or negative.
+fn placed(rng: &mut Rng, sign: f32) -> Vec<Task<Transforms>> {
     let points: Vec<Vec3> = (0..8).map(|_| point(rng)).collect();
-    let mut m = Mat4::from_cols_array(&[(); 16].map(|()| tasks::scenery::signed(rng)));
+    let mut m = Mat4::from_cols_array(&[(); 16].map(|()| signed(rng)));
     // |w| is at least 4 − 3.
     (m.x_axis.w, m.y_axis.w, m.z_axis.w, m.w_axis.w) = (0.5, -0.8, 0.7, sign * 4.0);
-    Task::new("points and a matrix", move |student: &Transforms| {
-        Raw::rows(points.iter().map(|&p| (student.place)(&m, p).map_or([f32::NAN; 3], |p| p.to_array())))
+    points.into_iter().map(|p| place(m, p)).collect()
+}
+
+fn place(m: Mat4, p: Vec3) -> Task<Transforms> {
+    let before = format!("let m = {};\n", m.code());
+    Task::call(&before, format!("place(&m, {})", p.code()), move |student: &Transforms| {
+        Raw::rows((student.place)(&m, p).map(|p| p.to_array()))
     })
 }
 
+/// Width and height of the picture, not the same.
+const SIZE: [u16; 2] = [SIDE, 300];
+
 /// The model, placed by the student's three functions.
 fn picture(d: f32) -> Task<Transforms> {
-    Task::new(format!("the model, d = {d}"), move |student: &Transforms| {
-        let mut image = canvas(SIDE, SIDE);
-        let size = image.size();
-        let all = (student.viewport)(size.x, size.y, 0.4) * (student.projection)(d);
+    let [width, height] = SIZE;
+    let code = format!(
+        "{MODEL_CODE}{TEXTURE_CODE}let mut got = Image::new({width}, {height}, Format::Rgb);\n\
+         let all = viewport({width}.0, {height}.0, 0.4) * projection({});\n\
+         let normals = gouraud::corner_normals(&model);\n\
+         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
+         gouraud::gouraud(&scene, &mut got, |p| place(&all, p));",
+        d.code(),
+        LIGHT.code()
+    );
+    let all = move |functions: &Transforms| {
+        (functions.viewport)(width.into(), height.into(), 0.4) * (functions.projection)(d)
+    };
+    Task::new(format!("the model, {width}x{height}, d = {d}"), code, move |student: &Transforms| {
+        let mut image = canvas(width, height);
+        let all = all(student);
         let scene = Scene {
             model: &MODEL,
             normals: &corner_normals(&MODEL),
@@ -105,5 +136,10 @@ fn picture(d: f32) -> Task<Transforms> {
         };
         gouraud::gouraud(&scene, &mut image, |p| (student.place)(&all, p));
         Raw::Picture(image)
+    })
+    .of(move |functions| {
+        let all = all(functions);
+        let corner = |p| (functions.place)(&all, p);
+        MODEL.faces().filter_map(|corners| corners.map(corner).into_iter().collect()).collect()
     })
 }

@@ -3,8 +3,8 @@
 use common::{Mat3, Mat4, Vec3};
 use fastrand::Rng;
 use gouraud::{Scene, Wrap, corner_normals};
-use tasks::scenery::{LIGHT, MODEL, SIDE, TEXTURE, canvas, direction, point};
-use tasks::{Check, Mission, Precision, Raw, Task};
+use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, direction, point};
+use tasks::{Check, Code, Mission, Precision, Raw, Task};
 use transforms::{place, projection, viewport};
 
 /// What the student writes.
@@ -47,10 +47,7 @@ pub const MISSION: Mission<Camera> = Mission {
             points: 1,
             tasks: |rng| {
                 let p = point(rng);
-                vec![Task::new("eye = centre", move |student: &Camera| {
-                    let some = (student.lookat)(p, p, Vec3::Y).is_some();
-                    Raw::rows([[f32::from(u8::from(some))]])
-                })]
+                vec![basis_of(&[p, p, Vec3::Y]), view_of(&[p, p, Vec3::Y])]
             },
             precision: Precision::EXACT,
         },
@@ -58,7 +55,7 @@ pub const MISSION: Mission<Camera> = Mission {
             name: "picture",
             asks: "the model from the right and from above",
             points: 1,
-            tasks: |_| vec![Task::new("eye (1, 1, 2), centre (0.2, 0, 0)", picture)],
+            tasks: |_| vec![picture()],
             precision: Precision::MODEL,
         },
     ],
@@ -67,51 +64,74 @@ pub const MISSION: Mission<Camera> = Mission {
 /// Eye, centre, up.
 type View = [Vec3; 3];
 
-/// Four views with eyes at distances from 2 to 4, and ups at least 20° from the view.
+/// Four views with eyes at distances from 2 to 4, and ups of any length at least 20° from the view.
 fn views(rng: &mut Rng, to_origin: bool) -> impl Iterator<Item = View> {
     let mut view = || loop {
         let (towards, up) = (direction(rng), direction(rng));
         let center = if to_origin { Vec3::ZERO } else { point(rng) };
         if towards.cross(up).length() > 0.35 {
-            return [center + towards * (2.0 + 2.0 * rng.f32()), center, up];
+            return [center + towards * (2.0 + 2.0 * rng.f32()), center, up * (0.5 + 2.0 * rng.f32())];
         }
     };
     [view(), view(), view(), view()].into_iter()
 }
 
-fn name([eye, center, up]: &View) -> String {
-    let p = |p: &Vec3| format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z);
-    format!("eye {}, centre {}, up {}", p(eye), p(center), p(up))
+fn call(function: &str, view: &View) -> String {
+    format!("{function}({})", view.map(|v| v.code()).join(", "))
 }
 
 fn basis_of(view: &View) -> Task<Camera> {
     let [eye, center, up] = *view;
-    Task::new(name(view), move |student: &Camera| {
-        let basis = (student.basis)(eye, center, up).unwrap_or(Mat3::NAN);
-        Raw::rows([0, 1, 2].map(|row| basis.row(row).to_array()))
+    Task::call("", call("basis", view), move |student: &Camera| {
+        let basis = (student.basis)(eye, center, up);
+        Raw::rows(basis.into_iter().flat_map(|m| [0, 1, 2].map(|row| m.row(row).to_array())))
     })
 }
 
 fn view_of(view: &View) -> Task<Camera> {
     let [eye, center, up] = *view;
-    Task::new(name(view), move |student: &Camera| {
-        Raw::matrix((student.lookat)(eye, center, up).unwrap_or(Mat4::NAN))
+    Task::call("", call("lookat", view), move |student: &Camera| {
+        (student.lookat)(eye, center, up).map_or_else(|| Raw::rows::<4>([]), Raw::matrix)
     })
 }
 
-fn picture(student: &Camera) -> Raw {
-    let (eye, center) = (Vec3::new(1.0, 1.0, 2.0), Vec3::new(0.2, 0.0, 0.0));
-    let mut image = canvas(SIDE, SIDE);
-    let size = image.size();
-    let view = (student.lookat)(eye, center, Vec3::Y).unwrap_or(Mat4::NAN);
-    let all = viewport(size.x, size.y, 0.3) * projection(eye.distance(center)) * view;
-    let scene = Scene {
-        model: &MODEL,
-        normals: &corner_normals(&MODEL),
-        texture: &TEXTURE,
-        wrap: Wrap::Clamp,
-        light: LIGHT,
+fn picture() -> Task<Camera> {
+    const VIEW: View = [Vec3::new(1.0, 1.0, 2.0), Vec3::new(0.2, 0.0, 0.0), Vec3::Y];
+    let code = format!(
+        "{MODEL_CODE}{TEXTURE_CODE}let mut got = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
+         let (size, (eye, center)) = (got.size(), ({}, {}));\n\
+         let view = {}.expect(\"eye and centre differ\");\n\
+         let all = transforms::viewport(size.x, size.y, 0.3)\n    \
+         * transforms::projection(eye.distance(center))\n    * view;\n\
+         let normals = gouraud::corner_normals(&model);\n\
+         let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
+         gouraud::gouraud(&scene, &mut got, |p| transforms::place(&all, p));",
+        VIEW[0].code(),
+        VIEW[1].code(),
+        call("lookat", &VIEW),
+        LIGHT.code()
+    );
+    let all = |functions: &Camera| {
+        let [eye, center, up] = VIEW;
+        let size = f32::from(SIDE);
+        let view = (functions.lookat)(eye, center, up).unwrap_or(Mat4::NAN);
+        viewport(size, size, 0.3) * projection(eye.distance(center)) * view
     };
-    gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
-    Raw::Picture(image)
+    Task::new("the model from (1, 1, 2) towards (0.2, 0, 0)", code, move |student: &Camera| {
+        let all = all(student);
+        let mut image = canvas(SIDE, SIDE);
+        let scene = Scene {
+            model: &MODEL,
+            normals: &corner_normals(&MODEL),
+            texture: &TEXTURE,
+            wrap: Wrap::Clamp,
+            light: LIGHT,
+        };
+        gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
+        Raw::Picture(image)
+    })
+    .of(move |functions| {
+        let all = all(functions);
+        MODEL.faces().filter_map(|corners| corners.map(|p| place(&all, p)).into_iter().collect()).collect()
+    })
 }

@@ -1,0 +1,49 @@
+//! An input as Rust.
+
+use std::process::ExitCode;
+
+use anyhow::Context;
+use common::terminal::print;
+use tasks::{Raw, SEED, name};
+
+use super::Judge;
+use super::compare::value;
+
+impl<F> Judge<F> {
+    /// Prints an input as a test that a student may paste.
+    pub(crate) fn print_input(&self, number: &str) -> anyhow::Result<ExitCode> {
+        let lesson = self.mission.lesson;
+        let keys = self.key(SEED);
+        let count: usize = keys.iter().map(|key| key.questions.len()).sum();
+        let n = number.parse().ok().filter(|n| (1..=count).contains(n));
+        let n: usize =
+            n.with_context(|| format!("there is no input {number}: they are numbered 1 to {count}"))?;
+        let tasks = self.mission.tasks(SEED).into_iter().flatten();
+        let questions = keys.iter().flat_map(|key| &key.questions);
+        let (task, question) = tasks.zip(questions).nth(n - 1).context("an input")?;
+        let names = ["Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3"];
+        let used = names.iter().filter(|name| {
+            [format!("{name}::"), format!("{name} {{")].iter().any(|word| task.code.contains(word))
+        });
+        let used = used.copied().collect::<Vec<_>>().join(", ");
+        let uses = if used.is_empty() { String::new() } else { format!("    use common::{{{used}}};\n") };
+        let code: String = task.code.lines().map(|line| format!("    {line}\n")).collect();
+        let shows = match &question.expected {
+            Raw::Numbers { values, .. } => {
+                let expected = if values.is_empty() { "None".into() } else { value(values) };
+                format!("println!(\"got {{got:?}}, expected {expected}\");")
+            }
+            Raw::Picture(_) => {
+                format!("got.write(\"input-{n}.png\".as_ref()).expect(\"it can be written\");")
+            }
+            Raw::Depths { .. } => "let _ = got;".into(),
+        };
+        print(&format!(
+            "// Paste it at the end of lessons/{lesson}/mission/src/lib.rs, and run\n\
+             // cargo test -p my-{} --lib -- --nocapture\n\
+             #[test]\nfn input_{n}() {{\n{uses}{code}    {shows}\n}}\n",
+            name(lesson)
+        ))?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
