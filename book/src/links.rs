@@ -94,6 +94,11 @@ impl Targets<'_> {
             linked.push_str(&markdown[range.clone()]);
             linked.push_str("</a>");
             at = range.end;
+            // After a tag a straight apostrophe would be taken for an opening quotation mark.
+            if markdown[at..].starts_with('\'') {
+                linked.push('’');
+                at += 1;
+            }
         }
         linked.push_str(&markdown[at..]);
         Linked { markdown: linked, terms }
@@ -234,7 +239,7 @@ mod tests {
     fn every_lesson_that_is_named_is_a_link() {
         for (written, made) in [
             ("See lesson 2.", "See <a href=\"02-b.md\">lesson 2</a>."),
-            ("Chapter\n3's", "<a href=\"03-c.md\">Chapter\n3</a>'s"),
+            ("Chapter\n3's", "<a href=\"03-c.md\">Chapter\n3</a>’s"),
             ("Lessons 2, 3 and 4", "<a href=\"02-b.md\">Lessons 2</a>, <a href=\"03-c.md\">3</a> and 4"),
             ("lessons 1 to 3", "lessons 1 to <a href=\"03-c.md\">3</a>"),
             (
@@ -246,6 +251,11 @@ mod tests {
         ] {
             assert_eq!(linked(Some(1), written), made);
         }
+    }
+
+    #[test]
+    fn an_apostrophe_after_a_link_is_one() {
+        assert_eq!(linked(None, "Lesson 2's line."), "<a href=\"02-b.md\">Lesson 2</a>’s line.");
     }
 
     #[test]

@@ -134,7 +134,13 @@ impl Writer<'_> {
         for (event, range) in Parser::new_ext(self.source, options).into_offset_iter() {
             match event {
                 Event::InlineMath(latex) => {
-                    self.put(range.clone(), mathml(&latex, false));
+                    let (range, before, after) = with_punctuation(self.source, range);
+                    let whole = |math| format!("<span class=\"whole\">{before}{math}{after}</span>");
+                    let bare = before.is_empty() && after.is_empty();
+                    self.put(
+                        range.clone(),
+                        mathml(&latex, false).map(|math| if bare { math } else { whole(math) }),
+                    );
                     elsewhere.push(range);
                 }
                 Event::DisplayMath(latex) => {
@@ -157,7 +163,12 @@ impl Writer<'_> {
                     }
                     elsewhere.push(range);
                 }
-                Event::Code(_) => elsewhere.push(range),
+                Event::Code(code) => {
+                    if let Some(html) = with_whole_flags(&code) {
+                        self.put(range.clone(), Ok::<_, String>(html));
+                    }
+                    elsewhere.push(range);
+                }
                 // Braces that do not match keep the parser from seeing a formula.
                 Event::Text(text) if text.contains('$') && !self.source[..range.start].ends_with('\\') => {
                     let mark = self
@@ -391,6 +402,27 @@ fn name_of(rest: &str) -> Option<&str> {
     rest.strip_prefix("{#")?.split_once('}').map(|(name, _)| name)
 }
 
+/// The range of a formula with the bracket before it and the punctuation behind it, and these: between a formula and
+/// what touches it a browser would end a line.
+fn with_punctuation(source: &str, range: Range<usize>) -> (Range<usize>, &str, &str) {
+    let begin = range.start - usize::from(source[..range.start].ends_with('('));
+    let rest = &source[range.end..];
+    let end = range.end + rest.len() - rest.trim_start_matches(['.', ',', ';', ':', '?', ')']).len();
+    (begin..end, &source[begin..range.start], &source[range.end..end])
+}
+
+/// Code in the line as HTML in which no flag is cut at its hyphens; nothing if it has none.
+fn with_whole_flags(code: &str) -> Option<String> {
+    let is_flag = |word: &&str| word.starts_with('-') && word.len() > 1;
+    code.split(' ').find(is_flag)?;
+    let word = |word: &str| match escaped(word) {
+        flag if is_flag(&word) => format!("<span class=\"whole\">{flag}</span>"),
+        other => other,
+    };
+    let words: Vec<String> = code.split(' ').map(word).collect();
+    Some(guarded(&format!("<code>{}</code>", words.join(" "))))
+}
+
 /// A table of methods, as a table in Markdown.
 fn methods(table: &common::Table) -> String {
     let row = |row: common::Method<()>| format!("| `{}` | {} | {} |\n", row.name, row.promise, row.failure);
@@ -438,6 +470,17 @@ mod tests {
     }
 
     #[test]
+    fn a_formula_keeps_what_touches_it_and_a_flag_its_hyphens() {
+        let text = page("A ($w$), then $x$. Run `cargo run --release` and `a-b`.\n").markdown;
+        assert!(
+            text.contains("A <span class=\"whole\">(<math") && text.contains("</math>),</span> then"),
+            "{text}"
+        );
+        assert!(text.contains("</math>.</span> Run <code>cargo run <span class=\"whole\">"), "{text}");
+        assert!(text.contains("</span></code> and `a-b`."), "{text}");
+    }
+
+    #[test]
     fn everything_has_its_place() {
         let made = page(
             "A {{value t a error}}, {{ratio t a b error}} times $x$.\n\n{{figure dot}} See $y$\nhere.\n\n\
@@ -447,7 +490,7 @@ mod tests {
         assert_eq!(made.faults, []);
         let text = &made.markdown;
         for part in [
-            "A 0.5, 2.0 times <math",
+            "A 0.5, 2.0 times <span class=\"whole\"><math",
             "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"141\"><figcaption>\n\n See <math",
             "here.\n\n</figcaption></figure>",
             "<div class=\"quote-file\">lib.rs</div>\n\n<pre><code class=\"language-rust\"><span class=\"line\" style=\"--hang:6ch\">fn f() {\n</span>",
@@ -510,7 +553,7 @@ mod tests {
         assert_eq!(made.faults, []);
         let text = &made.markdown;
         for part in [
-            "<fieldset class=\"quiz\">\n\n What is <math",
+            "<fieldset class=\"quiz\">\n\n What is <span class=\"whole\"><math",
             "\n\n\n<input type=\"radio\" name=\"quiz-1\" id=\"quiz-1-0\"><label for=\"quiz-1-0\"><math",
             "</math></label><span class=\"why wrong\">No.\n  Really.</span>\n",
             "<label for=\"quiz-1-1\">`z`</label><span class=\"why right\">Yes.</span>\n\n</fieldset>\n\nText.",

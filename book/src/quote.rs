@@ -51,7 +51,7 @@ impl Quote {
             // A line that is too long for its column goes on farther to the right than it began.
             let hang = line.len() - line.trim_start().len() + 6;
             let class = if is_new(line) { "line new" } else { "line" };
-            let text = escaped(line);
+            let text = escaped(line).replace("-&gt;", "<span class=\"whole\">-&gt;</span>");
             code.push_str(&format!("<span class=\"{class}\" style=\"--hang:{hang}ch\">{text}\n</span>"));
         }
         let legend = if before.is_some() { " <span class=\"legend\">marked: new</span>" } else { "" };

@@ -61,7 +61,12 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
         [name] if !name.contains(',') => format!("{name} holds throughout; {who} {fail} first, at {begin}"),
         ref names => {
             let names = listed(names);
-            let names = if names.matches(' ').count() > 3 { "all others" } else { &names };
+            let names = match names.matches(' ').count() {
+                0..=3 => names,
+                _ if never.len() + 1 == lines.len() => "all others".into(),
+                // Some of the others fail as well, only later.
+                _ => format!("{} others", never.iter().map(|line| line.split(", ").count()).sum::<usize>()),
+            };
             format!("{who} {fail} first, at {begin}; {names} hold throughout")
         }
     }
@@ -151,6 +156,8 @@ mod tests {
         assert_eq!(text(&lines), "b holds throughout; a fails first, at 100");
         let all = [line("a", Some(1)), line("b, c, d, e, f", None), line("g", None)];
         assert_eq!(text(&all), "a fails first, at 100; all others hold throughout");
+        let later = [&all[..], &[line("h", Some(2))]].concat();
+        assert_eq!(text(&later), "a fails first, at 100; 6 others hold throughout");
     }
 
     #[test]

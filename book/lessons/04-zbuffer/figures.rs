@@ -109,7 +109,7 @@ const ROW: u16 = 24;
 const ABOVE: [([Vec2; 2], Ink, &str); 3] = [
     ([Vec2::new(3.0, 1.2), Vec2::new(17.0, 1.2)], BLUE, "blue"),
     ([Vec2::new(10.0, 0.4), Vec2::new(22.0, 2.6)], GREEN, "green"),
-    ([Vec2::new(1.0, 2.4), Vec2::new(14.0, 0.2)], ORANGE, "red"),
+    ([Vec2::new(1.0, 2.4), Vec2::new(14.0, 0.2)], ORANGE, "orange"),
 ];
 
 /// Draws such a surface into a picture of one row; calls `visit` where it is seen.

@@ -374,7 +374,7 @@ fn normals() -> anyhow::Result<Drawing> {
         sheet.dot(point, BLACK);
     }
     sheet.text((0.0, 0.5), "blue: inverse transpose", BLUE);
-    sheet.text((0.0, 0.16), "red: stretched as points are", ORANGE);
+    sheet.text((0.0, 0.16), "orange: stretched as points are", ORANGE);
     sheet.finish()
 }
 
