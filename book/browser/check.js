@@ -3,7 +3,7 @@
 //     npm ci && node check.js [FOLDER]     FOLDER: the book, by default target/book
 //
 // It fails on a console error, a request for anything but the book's own files, words or figures wider than
-// their column, letters of a figure too small to read, a serious finding of axe-core, and a search that finds
+// their column, code that is cut or scrolls, what scrolls and does not show it, letters of a figure too small to read, a serious finding of axe-core, and a search that finds
 // nothing. CHROMIUM names the browser where it is not /usr/bin/chromium.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
@@ -90,6 +90,15 @@ function measure() {
         const box = element.getBoundingClientRect();
         if (box.width && (box.right > column.right + 1 || box.left < column.left - 1) && !scrolls(element.parentElement)) {
             found.push(`<${element.tagName.toLowerCase()}> is wider than its column: ${element.textContent.trim().slice(0, 60)}`);
+        }
+    }
+    for (const code of main.querySelectorAll("pre > code")) {
+        if (code.scrollWidth > code.clientWidth + 1) found.push(`code is cut: ${code.textContent.trim().slice(0, 60)}`);
+    }
+    for (const element of main.querySelectorAll(".formula, .table-wrapper, figure > a")) {
+        const { backgroundImage } = getComputedStyle(element);
+        if (element.scrollWidth > element.clientWidth + 1 && !backgroundImage.includes("gradient")) {
+            found.push(`nothing shows that this scrolls: ${element.textContent.trim().slice(0, 60)}`);
         }
     }
     for (const image of main.querySelectorAll("img")) {

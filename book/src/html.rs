@@ -1,10 +1,15 @@
 //! Builds the book: every page made ready, turned into HTML by mdBook, and checked.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use anyhow::{Context, bail};
+use regex::Regex;
 
 use crate::fault::Fault;
+use crate::glossary::{self, Entries, Term};
+use crate::links::Targets;
 use crate::page::{Page, Sources, expand};
 use crate::{check, mdbook};
 use charts::figures::{self, Drawn};
@@ -13,12 +18,17 @@ use charts::lessons::{LESSONS, Lesson};
 /// The book's own folder.
 const BOOK: &str = env!("CARGO_MANIFEST_DIR");
 
+/// The glossary's page.
+const GLOSSARY: &str = "glossary.md";
+
 /// A page of the book, made ready.
 pub(crate) struct Made {
     /// Its name in the book, as `01-lines.md`.
     pub(crate) name: PathBuf,
     /// Its file, from the book's folder.
     pub(crate) file: PathBuf,
+    /// The number of the lesson whose chapter it is.
+    pub(crate) lesson: Option<u8>,
     /// What is on it.
     pub(crate) page: Page,
 }
@@ -59,10 +69,16 @@ fn pages(book: &Path, lessons: &[Lesson], out: &Path, figures: &[Drawn]) -> anyh
     let sources = Sources { root: &book.join(".."), charts: &charts, figures };
     let make = |(name, file): (PathBuf, PathBuf)| {
         let text = std::fs::read_to_string(book.join(&file)).with_context(|| in_repository(&file))?;
-        let page = expand(&in_repository(&file), &text, &sources);
-        Ok(Made { name, file, page })
+        let lesson = lessons.iter().find(|lesson| page_of(lesson) == name).map(|lesson| lesson.lesson.number);
+        let page = expand(&in_repository(&file), &text, &sources, lesson);
+        Ok(Made { name, file, lesson, page })
     };
-    let made = files(book, lessons)?.into_iter().map(make).collect::<anyhow::Result<Vec<Made>>>()?;
+    let mut made = files(book, lessons)?.into_iter().map(make).collect::<anyhow::Result<Vec<Made>>>()?;
+    let of_glossary = |page: &&Made| page.name == Path::new(GLOSSARY);
+    let terms = made.iter().find(of_glossary).map(|page| glossary::terms(&page.page.markdown));
+    let terms = terms.unwrap_or_default();
+    let targets = targets(&made, lessons, &terms);
+    join(&mut made, &targets, &terms, &mdbook::issues(book)?);
 
     // mdBook wants all its pages in one folder.
     let staged = tempfile::tempdir()?;
@@ -81,9 +97,80 @@ fn pages(book: &Path, lessons: &[Lesson], out: &Path, figures: &[Drawn]) -> anyh
         let faults: Vec<Fault> = own.collect();
         return if faults.is_empty() { Err(error) } else { Ok(faults) };
     }
-    let mut faults: Vec<Fault> = own.chain(check::faults(&made, book, staged.path(), out, figures)).collect();
+    let mut faults: Vec<Fault> =
+        own.chain(check::faults(&made, &targets, book, staged.path(), out, figures)).collect();
     faults.sort();
     Ok(faults)
+}
+
+/// What the words of the pages can lead to.
+fn targets<'a>(pages: &[Made], lessons: &[Lesson], terms: &'a [Term]) -> Targets<'a> {
+    let chapters = lessons.iter().map(|lesson| (lesson.lesson.number, page_of(lesson).display().to_string()));
+    let mut code: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for page in pages {
+        for (name, id) in &page.page.code {
+            code.entry(name.clone()).or_default().push(format!("{}#{id}", page.name.display()));
+        }
+    }
+    for lesson in lessons {
+        for row in lesson.lesson.tables.iter().flat_map(|table| (table.rows)()) {
+            let place = format!("{}#the-methods-compared", page_of(lesson).display());
+            code.entry(row.name.into()).or_default().push(place);
+        }
+    }
+    Targets { chapters: chapters.collect(), terms, code }
+}
+
+/// Puts in what takes all pages: references, links, the index, and where to tell of a mistake.
+fn join(pages: &mut [Made], targets: &Targets, terms: &[Term], issues: &str) {
+    static SEE: LazyLock<Regex> =
+        LazyLock::new(|| Regex::new(r"\{\{see ([\w-]+)\}\}").expect("the pattern is right"));
+    let mut numbered = BTreeMap::new();
+    let mut entries = Entries::new();
+    for page in &*pages {
+        let name = page.name.display();
+        for (what, (id, number)) in &page.page.numbered {
+            numbered.insert(what.clone(), format!("<a href=\"{name}#{id}\">{number}</a>"));
+        }
+        let marks =
+            page.lesson.into_iter().flat_map(|lesson| page.page.marks.iter().map(move |mark| (lesson, mark)));
+        for (lesson, (words, id)) in marks {
+            entries.entry(words.clone()).or_default().push((lesson, format!("{name}#{id}")));
+        }
+    }
+    for (name, places) in &targets.code {
+        for place in places {
+            let number = targets.chapters.iter().find(|(_, page)| place.starts_with(page.as_str()));
+            if let Some((number, _)) = number {
+                let places = entries.entry(format!("`{name}`")).or_default();
+                if places.iter().all(|(other, _)| other != number) {
+                    places.push((*number, place.clone()));
+                }
+            }
+        }
+    }
+    for page in pages.iter_mut() {
+        let text = SEE.replace_all(&page.page.markdown, |found: &regex::Captures| {
+            // What nobody has numbered stays, and is found among the marks that came through.
+            numbered.get(&found[1]).cloned().unwrap_or_else(|| found[0].to_string())
+        });
+        let linked = targets.link(&page.name, page.lesson, &text);
+        for (term, id) in linked.terms {
+            let link = format!("{}#{id}", page.name.display());
+            let number = page.lesson.unwrap_or_default();
+            entries.entry(terms[term].name.clone()).or_default().push((number, link));
+        }
+        page.page.markdown = linked.markdown;
+    }
+    for page in pages {
+        if page.name == Path::new(GLOSSARY) {
+            page.page.markdown = glossary::with_places(&page.page.markdown);
+        }
+        page.page.markdown = page.page.markdown.replace("{{index}}", &glossary::index(&entries));
+        page.page.markdown.push_str(&format!(
+            "\n\n<p class=\"errata\">Is something on this page wrong, or not clear? {issues}</p>\n"
+        ));
+    }
 }
 
 /// The names of the pages in the book, and their files from the book's folder.

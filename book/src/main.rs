@@ -12,7 +12,9 @@
 
 mod check;
 mod fault;
+mod glossary;
 mod html;
+mod links;
 mod markup;
 mod math;
 mod mdbook;

@@ -8,6 +8,8 @@ use anyhow::ensure;
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
 
+use crate::markup::escaped;
+
 /// Builds pages into a folder, whose old content goes, from a folder that holds `SUMMARY.md` and all that it lists.
 /// Settings and theme are in the book's own folder. What mdBook would only warn of is an error.
 ///
@@ -31,6 +33,24 @@ pub(crate) fn build(book: &Path, source: &Path, out: &Path) -> anyhow::Result<()
         warnings.0.lock().map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
     ensure!(text.is_empty(), "mdBook warns: {}", text.trim());
     Ok(())
+}
+
+/// How a reader tells of a mistake: a link to the issues of the repository that the settings name, or else words.
+///
+/// # Errors
+/// Where the settings cannot be read.
+pub(crate) fn issues(book: &Path) -> anyhow::Result<String> {
+    let config = Config::from_disk(book.join("book.toml"))?;
+    let address: Option<String> = config.get("output.html.git-repository-url")?;
+    Ok(match address {
+        Some(address) => {
+            let address = escaped(address.trim_end_matches('/'));
+            format!("<a href=\"{address}/issues\">Tell us</a>.")
+        }
+        None => "Tell us where you have the course from; <code>git remote get-url origin</code> knows the address, and \
+                 <em>Issues</em> is the place."
+            .into(),
+    })
 }
 
 /// Where mdBook's warnings go.

@@ -3,7 +3,7 @@
 //!
 //! | in a chapter | becomes |
 //! |---|---|
-//! | `$a^2$`, `$$a^2$$` | a formula, in the line or on its own |
+//! | `$a^2$`, `$$a^2$$` | a formula, in the line or on its own; `$$a^2$${#NAME}` gives the latter a name |
 //! | a code block that holds `{{#include PATH:ANCHOR}}`, the path from the repository's root | the code, quoted under its file's name |
 //! | the same with `{{#include PATH:ANCHOR since [PATH:]ANCHOR}}` | with the lines marked that the other lacks |
 //! | `{{figure NAME}} Caption.` | the figure, the rest of the paragraph under it |
@@ -14,8 +14,12 @@
 //! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
 //! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`] |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
+//! | `{{see NAME}}` | "figure 3.2" or "equation 3.4", as a link: of a figure, a chart or a named formula |
+//! | `{{mark WORDS}}` | an entry of the index, of this place |
+//!
+//! In a lesson's chapter, figures and formulas on their own are numbered. [`links`](crate::links) makes further links.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -63,6 +67,12 @@ pub(crate) struct Page {
     pub(crate) links: Vec<Link>,
     /// The figures that it shows.
     pub(crate) figures: BTreeSet<String>,
+    /// What can be referred to by name: its place on the page, and its number, as "figure 3.2".
+    pub(crate) numbered: BTreeMap<String, (String, String)>,
+    /// The code that is quoted: the names of what it defines, and its place on the page.
+    pub(crate) code: Vec<(String, String)>,
+    /// What the index is to have: words, and their place on the page.
+    pub(crate) marks: Vec<(String, String)>,
 }
 
 static DIRECTIVE: LazyLock<Regex> =
@@ -73,14 +83,20 @@ struct Writer<'a> {
     file: &'a str,
     source: &'a str,
     sources: &'a Sources<'a>,
+    /// Of the lesson, in whose chapter figures and formulas are numbered.
+    lesson: Option<u8>,
+    figures: usize,
+    formulas: usize,
     page: Page,
     /// What to put in the place of what.
     edits: Vec<(Range<usize>, String)>,
 }
 
-/// Makes a chapter ready. `file` is its path from the repository's root.
-pub(crate) fn expand(file: &str, source: &str, sources: &Sources) -> Page {
-    let mut writer = Writer { file, source, sources, page: Page::default(), edits: Vec::new() };
+/// Makes a chapter ready. `file` is its path from the repository's root, `lesson` its number if it is a lesson's.
+pub(crate) fn expand(file: &str, source: &str, sources: &Sources, lesson: Option<u8>) -> Page {
+    let page = Page::default();
+    let mut writer =
+        Writer { file, source, sources, lesson, figures: 0, formulas: 0, page, edits: Vec::new() };
     let elsewhere = writer.formulas_and_code();
     writer.directives(&elsewhere);
     writer.finish()
@@ -122,9 +138,12 @@ impl Writer<'_> {
                     elsewhere.push(range);
                 }
                 Event::DisplayMath(latex) => {
+                    let name = name_of(&self.source[range.end..]);
+                    let range = range.start..range.end + name.map_or(0, |name| name.len() + 3);
                     let made = mathml(&latex, true).and_then(|math| {
                         ensure_margin(self.is_at_margin(range.start), "a formula on its own")?;
-                        Ok(format!("\n\n<div class=\"formula\" tabindex=\"0\">{math}</div>\n\n"))
+                        let formula = format!("<div class=\"formula\" tabindex=\"0\">{math}</div>");
+                        Ok(format!("\n\n{}\n\n", self.numbered_formula(formula, name)))
                     });
                     self.put(range.clone(), made);
                     elsewhere.push(range);
@@ -133,6 +152,7 @@ impl Writer<'_> {
                     let text = &self.source[range.clone()];
                     if let (true, CodeBlockKind::Fenced(language)) = (text.contains("{{#"), kind) {
                         let made = self.quote(text, &language, self.is_at_margin(range.start));
+                        let made = made.map(|(quote, html)| self.placed(&quote, &html));
                         self.put(range.clone(), made.map_err(|error| format!("{error:#}")));
                     }
                     elsewhere.push(range);
@@ -160,6 +180,31 @@ impl Writer<'_> {
         elsewhere
     }
 
+    /// A formula on its own, with its number where it has one.
+    fn numbered_formula(&mut self, formula: String, name: Option<&str>) -> String {
+        let Some(lesson) = self.lesson else { return formula };
+        self.formulas += 1;
+        let (number, id) = (self.formulas, format!("eq-{lesson}-{}", self.formulas));
+        if let Some(name) = name {
+            self.page.numbered.insert(name.into(), (id.clone(), format!("equation {lesson}.{number}")));
+        }
+        format!(
+            "<div class=\"equation\" id=\"{id}\">{formula}<a class=\"number\" href=\"#{id}\" \
+             aria-label=\"Equation {lesson}.{number}\">({lesson}.{number})</a></div>"
+        )
+    }
+
+    /// Quoted code with a place on the page, which the names that it defines lead to.
+    fn placed(&mut self, quote: &Quote, html: &str) -> String {
+        let Some(name) = quote.defines().first().cloned() else { return html.into() };
+        if self.page.code.iter().any(|(other, _)| *other == name) {
+            return html.into();
+        }
+        let id = format!("code-{}{name}", self.lesson.map(|lesson| format!("{lesson}-")).unwrap_or_default());
+        self.page.code.extend(quote.defines().into_iter().map(|name| (name, id.clone())));
+        format!("<div id=\"{id}\">\n\n{html}\n\n</div>")
+    }
+
     fn link(&mut self, at: usize, target: &str) {
         if !target.contains("://") && !target.starts_with("mailto:") {
             let line = self.line(at);
@@ -168,7 +213,7 @@ impl Writer<'_> {
     }
 
     /// A code block whose only line is an include.
-    fn quote(&self, block: &str, language: &str, at_margin: bool) -> anyhow::Result<String> {
+    fn quote(&self, block: &str, language: &str, at_margin: bool) -> anyhow::Result<(Quote, String)> {
         ensure!(at_margin, "quoted code must begin at the left margin");
         let lines: Vec<&str> = block.lines().map(str::trim).collect();
         let directive = match lines.as_slice() {
@@ -189,7 +234,9 @@ impl Writer<'_> {
         };
         let read = |place: &str| Quote::read(self.sources.root, place);
         let before = before.as_deref().map(read).transpose()?;
-        Ok(read(place)?.html(language, before.as_ref()))
+        let quote = read(place)?;
+        let html = quote.html(language, before.as_ref());
+        Ok((quote, html))
     }
 
     /// Replaces what stands in double braces outside of code and formulas.
@@ -204,6 +251,12 @@ impl Writer<'_> {
             let words: Vec<&str> = found[1].split_whitespace().collect();
             if let [kind @ ("figure" | "chart"), name] = words.as_slice() {
                 self.figure(kind, name, whole);
+                continue;
+            }
+            if let ["mark", ..] = words.as_slice() {
+                let id = format!("mark-{}-{}", self.lesson.unwrap_or_default(), self.page.marks.len());
+                self.edits.push((whole, format!("<span id=\"{id}\"></span>")));
+                self.page.marks.push((words[1..].join(" "), id));
                 continue;
             }
             if words == ["quiz"] {
@@ -248,6 +301,9 @@ impl Writer<'_> {
                 let names = || tables().map(|(table, _)| table).collect::<Vec<_>>().join(", ");
                 found.with_context(|| format!("there is no table `{name}`, but {}", names()))?
             }
+            // Where it is, only all pages together tell: html.rs puts it in.
+            ["see", name] => format!("{{{{see {name}}}}}"),
+            ["index"] => "{{index}}".into(),
             ["all-methods"] => {
                 tables().map(|(_, table)| format!("### {}\n\n{}\n", table.job, methods(table))).collect()
             }
@@ -267,7 +323,15 @@ impl Writer<'_> {
         });
         match image {
             Ok(image) => {
-                let text = format!("<figure class=\"{kind}\">{image}<figcaption>\n\n");
+                let id = format!("fig-{name}");
+                let number = self.lesson.map(|lesson| {
+                    self.figures += 1;
+                    let number = format!("{lesson}.{}", self.figures);
+                    self.page.numbered.insert(name.into(), (id.clone(), format!("figure {number}")));
+                    format!("<strong class=\"number\">Figure {number}</strong>")
+                });
+                let number = number.unwrap_or_default();
+                let text = format!("<figure class=\"{kind}\" id=\"{id}\">{image}<figcaption>\n\n{number}");
                 self.edits.push((whole, text));
                 self.edits.push((end..end, "\n\n</figcaption></figure>".into()));
             }
@@ -322,6 +386,11 @@ impl Writer<'_> {
     }
 }
 
+/// The name that is given to a formula right behind it.
+fn name_of(rest: &str) -> Option<&str> {
+    rest.strip_prefix("{#")?.split_once('}').map(|(name, _)| name)
+}
+
 /// A table of methods, as a table in Markdown.
 fn methods(table: &common::Table) -> String {
     let row = |row: common::Method<()>| format!("| `{}` | {} | {} |\n", row.name, row.promise, row.failure);
@@ -351,6 +420,10 @@ mod tests {
 
     /// A page of this source in a folder with one lesson file and one table.
     fn page(source: &str) -> Page {
+        page_of(None, source)
+    }
+
+    fn page_of(lesson: Option<u8>, source: &str) -> Page {
         let folder = tempfile::tempdir().unwrap();
         let charts = folder.path().join("charts");
         std::fs::create_dir_all(&charts).unwrap();
@@ -360,11 +433,8 @@ mod tests {
         std::fs::write(charts.join("t.csv"), "method,error\na,0.5\nb,0.25\n").unwrap();
         static DOT: Figure = Figure::new("dot", "A dot.", || Sheet::new((0.0, 0.0), (4.0, 1.0)).finish());
         let figures = [Drawn { figure: &DOT, drawing: (DOT.draw)().unwrap() }];
-        expand(
-            "book/pages/x.md",
-            source,
-            &Sources { root: folder.path(), charts: &charts, figures: &figures },
-        )
+        let sources = Sources { root: folder.path(), charts: &charts, figures: &figures };
+        expand("book/pages/x.md", source, &sources, lesson)
     }
 
     #[test]
@@ -380,7 +450,7 @@ mod tests {
             "A 0.5, 2.0 times <math",
             "<img src=\"figures/dot.svg\" alt=\"A dot.\" width=\"480\" height=\"141\"><figcaption>\n\n See <math",
             "here.\n\n</figcaption></figure>",
-            "<div class=\"quote-file\">lib.rs</div>\n\n<pre><code class=\"language-rust\">fn f() {\n    g();\n}\n</code>",
+            "<div class=\"quote-file\">lib.rs</div>\n\n<pre><code class=\"language-rust\"><span class=\"line\" style=\"--hang:6ch\">fn f() {\n</span>",
             "<div class=\"formula\" tabindex=\"0\"><math",
             "| Method | Error |\n|---|--:|\n| a | 0.5 |",
             "| `bresenham` | exact",
@@ -447,6 +517,29 @@ mod tests {
         ] {
             assert!(text.contains(part), "{part}: {text}");
         }
+    }
+
+    #[test]
+    fn what_a_chapter_shows_has_a_number_and_a_place() {
+        let source = "$$a$$\n\n$$b$${#named}\n\n{{figure dot}} A dot.\n\n{{see dot}} {{mark Some words}}here\n\n\
+                      ```rust\n{{#include lib.rs:f}}\n```\n";
+        let made = page_of(Some(3), source);
+        assert_eq!(made.faults, []);
+        for part in [
+            "<div class=\"equation\" id=\"eq-3-1\"><div class=\"formula\" tabindex=\"0\"><math",
+            "href=\"#eq-3-2\" aria-label=\"Equation 3.2\">(3.2)</a></div>\n\n",
+            "<figure class=\"figure\" id=\"fig-dot\"><img",
+            "<figcaption>\n\n<strong class=\"number\">Figure 3.1</strong> A dot.",
+            "{{see dot}} <span id=\"mark-3-0\"></span>here",
+            "<div id=\"code-3-f\">\n\n<div class=\"quote\">",
+        ] {
+            assert!(made.markdown.contains(part), "{part}: {}", made.markdown);
+        }
+        let numbered = [("dot", ("fig-dot", "figure 3.1")), ("named", ("eq-3-2", "equation 3.2"))];
+        let numbered = numbered.map(|(name, (id, number))| (name.into(), (id.into(), number.into())));
+        assert_eq!(made.numbered, BTreeMap::from(numbered));
+        assert_eq!(made.code, [("f".into(), "code-3-f".into())]);
+        assert_eq!(made.marks, [("Some words".into(), "mark-3-0".into())]);
     }
 
     #[test]

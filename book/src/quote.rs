@@ -1,8 +1,10 @@
 //! Code quoted from a lesson: the lines between `// ANCHOR: name` and `// ANCHOR_END: name`.
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 use anyhow::{Context, bail, ensure};
+use regex::Regex;
 
 use crate::markup::escaped;
 
@@ -28,6 +30,15 @@ impl Quote {
         Ok(Self { file: path.into(), lines })
     }
 
+    /// The names of the functions, types and traits that it defines.
+    pub(crate) fn defines(&self) -> Vec<String> {
+        static ITEM: LazyLock<Regex> = LazyLock::new(|| {
+            let pattern = r"^(?:pub(?:\([a-z]+\))? )?(?:const )?(?:fn|struct|trait|enum|const|static) (\w+)";
+            Regex::new(pattern).expect("the pattern is right")
+        });
+        self.lines.iter().filter_map(|line| Some(ITEM.captures(line)?[1].to_string())).collect()
+    }
+
     /// The code as HTML: `<pre>` under the file's name. Lines that are not in `before` are marked as new.
     pub(crate) fn html(&self, language: &str, before: Option<&Self>) -> String {
         let is_new = |line: &str| {
@@ -37,12 +48,11 @@ impl Quote {
         };
         let mut code = String::new();
         for line in &self.lines {
+            // A line that is too long for its column goes on farther to the right than it began.
+            let hang = line.len() - line.trim_start().len() + 6;
+            let class = if is_new(line) { "line new" } else { "line" };
             let text = escaped(line);
-            code.push_str(&if is_new(line) {
-                format!("<span class=\"new\">{text}\n</span>")
-            } else {
-                text + "\n"
-            });
+            code.push_str(&format!("<span class=\"{class}\" style=\"--hang:{hang}ch\">{text}\n</span>"));
         }
         let legend = if before.is_some() { " <span class=\"legend\">marked: new</span>" } else { "" };
         // Blank lines around <pre>: in Markdown only HTML that begins with it may hold blank lines itself.
@@ -96,6 +106,13 @@ mod tests {
     }
 
     #[test]
+    fn a_quote_knows_what_it_defines() {
+        let text = "// ANCHOR: a\n/// fn no\npub fn fill<T>(t: T) {\n    fn inner() {}\n}\nstruct Setup;\n// ANCHOR_END: a";
+        let quote = Quote { file: "lib.rs".into(), lines: anchored(text, "a").unwrap() };
+        assert_eq!(quote.defines(), ["fill", "Setup"]);
+    }
+
+    #[test]
     fn only_lines_that_were_not_there_are_marked() {
         let quote = |lines: &[&str]| Quote {
             file: "lib.rs".into(),
@@ -103,6 +120,9 @@ mod tests {
         };
         let html =
             quote(&["for x {", "    y < 2", "}"]).html("rust", Some(&quote(&["for x {", "    y", "}"])));
-        assert!(html.contains("for x {\n<span class=\"new\">    y &lt; 2\n</span>}\n"), "{html}");
+        let lines = "<span class=\"line\" style=\"--hang:6ch\">for x {\n</span>\
+                     <span class=\"line new\" style=\"--hang:10ch\">    y &lt; 2\n</span>\
+                     <span class=\"line\" style=\"--hang:6ch\">}\n</span>";
+        assert!(html.contains(lines), "{html}");
     }
 }

@@ -10,6 +10,7 @@ use glam::{IVec2, Vec2};
 use crate::Color;
 
 /// What a pixel consists of; as a number, its size in bytes.
+// ANCHOR: format
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Grey, one byte.
@@ -19,6 +20,7 @@ pub enum Format {
     /// Red, green, blue, alpha.
     Rgba = 4,
 }
+// ANCHOR_END: format
 
 /// A rectangle of whole pixels, both corners included. It is empty where `max` is below `min`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

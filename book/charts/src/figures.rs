@@ -143,6 +143,9 @@ mod tests {
             assert!(names.insert(figure.name), "{}: two figures have this name", figure.name);
             assert!(figure.alt.len() > 20, "{}: what does it show?", figure.name);
             let drawing = (figure.draw)().unwrap_or_else(|error| panic!("{}: {error:#}", figure.name));
+            if let Drawing::Svg(sheet) = &drawing {
+                assert_eq!(sheet.without_dark_shade(), None, "{}", figure.name);
+            }
             let (width, height) = drawing.size();
             assert!(
                 (200..=900).contains(&width) && (60..=900).contains(&height),

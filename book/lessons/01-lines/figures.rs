@@ -4,7 +4,7 @@ use common::{Bounds, Color, Format, IVec2, Image, Vec2};
 use lines::METHODS;
 
 use crate::figures::picture::{canvas, method};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, GREEN, GREY, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, GREEN, GREY, ORANGE, PALE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -137,7 +137,7 @@ fn octants() -> anyhow::Result<Drawing> {
     sheet.dashed((-2.0, -2.0), (2.0, 2.0), GREY, 1.5);
     sheet.dashed((-2.0, 2.0), (2.0, -2.0), GREY, 1.5);
     sheet.arrow((0.0, 0.0), (2.5, 0.8), BLUE);
-    sheet.arrow((0.0, 0.0), (-2.5, -0.8), RED);
+    sheet.arrow((0.0, 0.0), (-2.5, -0.8), ORANGE);
     sheet.arrow((0.0, 0.0), (0.5, 1.8), BLUE);
     sheet.text((1.75, -0.55), "|dx| ≥ |dy|", BLACK);
     sheet.text((1.75, -0.9), "walk along x", BLACK);
@@ -158,7 +158,7 @@ fn error() -> anyhow::Result<Drawing> {
     for (x, y) in pixels("bresenham", ends)?.into_iter().filter(|&(x, ..)| (1..5).contains(&x)) {
         let from = center(IVec2::new(x, y));
         let to = Vec2::new(from.x, 0.5 + 0.4 * x as f32);
-        sheet.line(from, to, if to.y > from.y { RED } else { GREEN }, 5.0);
+        sheet.line(from, to, if to.y > from.y { ORANGE } else { GREEN }, 5.0);
         sheet.dot(from, BLUE);
         let words = format!("{:+.1}", to.y - from.y).replace('-', "−");
         sheet.text((from.x, y as f32 - 0.22), &words, BLACK);
@@ -174,7 +174,7 @@ fn listing() -> anyhow::Result<Drawing> {
     sheet.pixels(pixels("listing", ends)?.into_iter().filter(|pixel| !right.contains(pixel)), AMBER);
     segment(&mut sheet, ends);
     sheet.text_right_of((5.4, 2.5), "blue: Bresenham", BLUE);
-    sheet.text_left_of((5.6, 8.5), "amber: the listing", RED);
+    sheet.text_left_of((5.6, 8.5), "amber: the listing", ORANGE);
     sheet.finish()
 }
 
@@ -195,14 +195,14 @@ fn visible() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-12.0, -6.0), (12.0, 6.0));
     let at = Vec2::new;
     let slope = |x: f32| at(x, x * 0.4 + 0.3);
-    sheet.rectangle((-4.0, -3.0), (4.0, 3.0), "#ffffff", GREY);
+    sheet.rectangle((-4.0, -3.0), (4.0, 3.0), PALE, GREY);
     sheet.dashed(slope(-11.5), slope(-4.0), GREY, 2.0);
     sheet.dashed(slope(4.0), slope(11.5), GREY, 2.0);
     sheet.line(slope(-4.0), slope(4.0), BLUE, 4.0);
-    sheet.dot(slope(-4.0), RED);
+    sheet.dot(slope(-4.0), ORANGE);
     sheet.text((0.0, 2.3), "the window", BLACK);
-    sheet.text_left_of((-4.3, 0.9), "the first step", RED);
-    sheet.text_left_of((-4.3, -0.1), "that can be seen", RED);
+    sheet.text_left_of((-4.3, 0.9), "the first step", ORANGE);
+    sheet.text_left_of((-4.3, -0.1), "that can be seen", ORANGE);
     sheet.text((8.2, 2.0), "skipped", GREY);
     sheet.text((-8.6, -4.6), "skipped", GREY);
     sheet.finish()
@@ -215,7 +215,7 @@ fn ties() -> anyhow::Result<Drawing> {
         sheet.pixel(x, y, SKY);
         if x % 2 == 1 {
             let (above, inset) = (IVec2::new(x, y + 1).as_vec2(), 0.06);
-            sheet.rectangle(above + inset, above + 1.0 - inset, "none", RED);
+            sheet.rectangle(above + inset, above + 1.0 - inset, "none", ORANGE);
         }
     }
     segment(&mut sheet, ends);
@@ -248,7 +248,7 @@ fn drift() -> anyhow::Result<Drawing> {
     let middle = (high - low).x as f32 / 2.0;
     let height = |list: &[IVec2]| list.iter().map(|pixel| pixel.y - low.y).max().unwrap_or_default() as f32;
     sheet.text((middle - 2.5, height(&right) + 0.6), "bresenham", BLUE);
-    sheet.text((middle - 2.5, height(&wrong) + 0.6), "slope", RED);
+    sheet.text((middle - 2.5, height(&wrong) + 0.6), "slope", ORANGE);
     sheet.finish()
 }
 

@@ -9,7 +9,7 @@ use lines::line;
 use wireframe::{three_per_triangle, to_pixel, wireframe};
 
 use crate::figures::picture::{all_beside, beside, canvas, model};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, PAPER, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, ORANGE, PAPER, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -83,8 +83,8 @@ fn sharing() -> anyhow::Result<Drawing> {
     }
     let beside = [(-0.3, -0.1), (0.15, -0.35), (-0.3, 0.2), (0.2, 0.3), (0.35, 0.0)];
     for (n, (&point, (x, y))) in points.iter().zip(beside).enumerate() {
-        sheet.dot(point, RED);
-        sheet.text(point + Vec2::new(x, y), &(n + 1).to_string(), RED);
+        sheet.dot(point, ORANGE);
+        sheet.text(point + Vec2::new(x, y), &(n + 1).to_string(), ORANGE);
     }
     sheet.finish()
 }
@@ -105,9 +105,9 @@ fn flat() -> anyhow::Result<Drawing> {
     sheet.text_right_of((-1.4, -1.45), "z", GREEN);
     sheet.arrow((-2.4, -1.45), (-2.4, -0.55), GREEN);
     sheet.text((-2.4, -0.35), "y", GREEN);
-    sheet.arrow((3.2, 0.0), (2.1, 0.0), RED);
-    sheet.text((2.65, 0.22), "you look", RED);
-    sheet.text((2.65, -0.22), "along −z", RED);
+    sheet.arrow((3.2, 0.0), (2.1, 0.0), ORANGE);
+    sheet.text((2.65, 0.22), "you look", ORANGE);
+    sheet.text((2.65, -0.22), "along −z", ORANGE);
     sheet.finish()
 }
 
@@ -120,15 +120,15 @@ fn map() -> anyhow::Result<Drawing> {
         } else {
             sheet.rectangle((8.0, 0.0), (9.0, 1.0), "none", FAINT);
         }
-        sheet.text((x + 0.5, 0.5), &column.to_string(), if column < 8 { BLACK } else { RED });
+        sheet.text((x + 0.5, 0.5), &column.to_string(), if column < 8 { BLACK } else { ORANGE });
     }
     sheet.line((0.0, 2.2), (8.0, 2.2), BLACK, 2.0);
     for (x, name) in [(-1.0, "−1"), (-0.5, "−½"), (0.0, "0"), (0.5, "½"), (1.0, "1")] {
         let column = (x + 1.0) * 8.0 / 2.0;
-        let ink = if x < 1.0 { GREY } else { RED };
+        let ink = if x < 1.0 { GREY } else { ORANGE };
         sheet.dashed((column, 2.2), (column, 0.0), ink, 1.5);
-        sheet.dot((column, 2.2), if x < 1.0 { BLACK } else { RED });
-        sheet.text((column, 2.65), name, if x < 1.0 { BLACK } else { RED });
+        sheet.dot((column, 2.2), if x < 1.0 { BLACK } else { ORANGE });
+        sheet.text((column, 2.65), name, if x < 1.0 { BLACK } else { ORANGE });
     }
     sheet.text((4.0, -0.5), "column = ⌊(x + 1) · 8 / 2⌋", BLACK);
     sheet.text((-0.45, 2.2), "x", BLACK);
@@ -146,15 +146,17 @@ fn squares() -> anyhow::Result<Model> {
 
 /// Left without the rule for the border, right with it.
 fn border() -> anyhow::Result<Drawing> {
+    // White ones would be lost against a white page, where they run along the picture's border.
+    const SIDES: Color = Color::rgb(255, 170, 40);
     let model = squares()?;
     let mut printed = canvas(30);
     let mut mended = printed.clone();
     let pixel = |point: Vec3| ((point.truncate() + 1.0) * 30.0 / 2.0).floor().as_ivec2();
     three_per_triangle(&model, |edge| {
         let [a, b] = edge.map(|i| pixel(model.positions()[i as usize]));
-        line(a, b, &mut printed, Color::WHITE);
+        line(a, b, &mut printed, SIDES);
     });
-    wireframe(&model, &mut mended, Color::WHITE);
+    wireframe(&model, &mut mended, SIDES);
     beside([&printed, &mended])
 }
 
@@ -169,14 +171,14 @@ fn counts() -> anyhow::Result<Drawing> {
     let place = |i: u32| model.positions()[i as usize].truncate();
     for (edge, times) in &times {
         let [a, b] = edge.map(place);
-        sheet.line(a, b, if *times == 1 { BLUE } else { RED }, 2.0 * *times as f32);
+        sheet.line(a, b, if *times == 1 { BLUE } else { ORANGE }, 2.0 * *times as f32);
     }
     for (edge, times) in &times {
         let [a, b] = edge.map(place);
         let middle = (a + b) / 2.0;
         let half = Vec2::new(0.2, 0.13);
         sheet.rectangle(middle - half, middle + half, PAPER, "none");
-        sheet.text(middle, &format!("{times}×"), if *times == 1 { BLUE } else { RED });
+        sheet.text(middle, &format!("{times}×"), if *times == 1 { BLUE } else { ORANGE });
     }
     model.positions().iter().for_each(|point| sheet.dot(point.truncate(), BLACK));
     sheet.finish()
@@ -192,10 +194,10 @@ fn fans() -> anyhow::Result<Drawing> {
         faces().filter(|face| inside(face)).for_each(|face| sheet.polygon(&face, SKY, BLUE));
         faces().filter(|face| !inside(face)).for_each(|face| sheet.polygon(&face, AMBER, BLUE));
         sheet.polyline(corners.into_iter().chain([corners[0]]), BLACK, 3.5);
-        sheet.dot(corners[0], RED);
+        sheet.dot(corners[0], ORANGE);
     }
-    sheet.text((-0.1, 1.15), "1", RED);
-    sheet.text((9.5, 0.2), "1", RED);
+    sheet.text((-0.1, 1.15), "1", ORANGE);
+    sheet.text((9.5, 0.2), "1", ORANGE);
     sheet.finish()
 }
 

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use anyhow::Context;
 use common::{Bounds, Color, Format, IVec2, Image, Vec2, Vec3};
+use lines::line;
 use triangles::{METHODS, Triangle, draw_model, fill, flat_intensity};
 
 use crate::figures::picture::{all_beside, beside, canvas, method, model};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, GREEN, GREY, MINT, ORANGE, PALE, PURPLE, ROSE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -20,6 +21,12 @@ pub(crate) const FIGURES: &[Figure] = &[
         "triangles-head",
         "The head twice: each of its triangles in a random colour, and in greys, as if lit from the front.",
         head,
+    ),
+    Figure::new(
+        "triangles-half",
+        "Three triangles, each filled up to the height of its middle corner. The side from the lowest to the middle \
+         corner is white, from the middle to the highest green, from the lowest to the highest red.",
+        half,
     ),
     Figure::new(
         "triangles-sweep",
@@ -107,14 +114,37 @@ pub(crate) const FIGURES: &[Figure] = &[
 ];
 
 /// The slides' three triangles.
+const THREE: [([(f32, f32); 3], Color); 3] = [
+    ([(10.0, 70.0), (50.0, 160.0), (70.0, 80.0)], Color::RED),
+    ([(180.0, 50.0), (150.0, 1.0), (70.0, 180.0)], Color::WHITE),
+    ([(180.0, 150.0), (120.0, 160.0), (130.0, 180.0)], Color::GREEN),
+];
+
 fn three() -> anyhow::Result<Drawing> {
     let mut image = canvas(200);
-    for (corners, color) in [
-        ([(10.0, 70.0), (50.0, 160.0), (70.0, 80.0)], Color::RED),
-        ([(180.0, 50.0), (150.0, 1.0), (70.0, 180.0)], Color::WHITE),
-        ([(180.0, 150.0), (120.0, 160.0), (130.0, 180.0)], Color::GREEN),
-    ] {
+    for (corners, color) in THREE {
         (method(METHODS, "edges")?.draw)(corners.map(Vec2::from), &mut image, color);
+    }
+    Ok(Drawing::Pixels(image, 3))
+}
+
+/// The same up to their middle corners, with each side in the colour of its place.
+fn half() -> anyhow::Result<Drawing> {
+    let mut image = canvas(200);
+    for (corners, _) in THREE {
+        let mut sorted = corners.map(Vec2::from);
+        sorted.sort_by(|a, b| a.y.total_cmp(&b.y));
+        let [low, middle, high] = sorted;
+        (method(METHODS, "sweep")?.visit)(sorted, image.bounds(), &mut |x, y, _| {
+            if y < middle.y as i32 {
+                image.set(x, y, Color::rgb(70, 110, 150));
+            }
+        });
+        for (from, to, color) in
+            [(low, high, Color::RED), (low, middle, Color::WHITE), (middle, high, Color::GREEN)]
+        {
+            line(from.as_ivec2(), to.as_ivec2(), &mut image, color);
+        }
     }
     Ok(Drawing::Pixels(image, 3))
 }
@@ -147,7 +177,7 @@ fn sweep() -> anyhow::Result<Drawing> {
             x,
             y,
             if times > 1 {
-                "#d9a3c2"
+                ROSE
             } else if y < 5 {
                 SKY
             } else {
@@ -196,7 +226,7 @@ fn named(fill: &'static str) -> Sheet {
 
 fn vectors() -> anyhow::Result<Drawing> {
     let [a, b, c] = ABC;
-    let mut sheet = named("#eaf5fc");
+    let mut sheet = named(PALE);
     let weights = triangles::barycentric::weights(ABC, P).context("the triangle has an area")?;
     let along = a + weights.y * (b - a);
     let up = a + weights.z * (c - a);
@@ -205,8 +235,8 @@ fn vectors() -> anyhow::Result<Drawing> {
     sheet.arrow(a, c, GREY);
     sheet.arrow(a, along, BLUE);
     sheet.arrow(along, P, GREEN);
-    sheet.dot(P, RED);
-    sheet.text(P + Vec2::new(0.3, 0.15), "P", RED);
+    sheet.dot(P, ORANGE);
+    sheet.text(P + Vec2::new(0.3, 0.15), "P", ORANGE);
     sheet.text((a + along) / 2.0 - Vec2::new(-0.1, 0.35), &format!("u = {:.2}", weights.y), BLUE);
     sheet.text_right_of((along + P) / 2.0 + Vec2::new(0.15, -0.05), &format!("v = {:.2}", weights.z), GREEN);
     sheet.finish()
@@ -219,15 +249,15 @@ fn areas() -> anyhow::Result<Drawing> {
     let parts = [
         ([P, b, c], SKY, "α", weights.x),
         ([P, c, a], AMBER, "β", weights.y),
-        ([P, a, b], "#b9e3cf", "γ", weights.z),
+        ([P, a, b], MINT, "γ", weights.z),
     ];
     for (part, fill, name, weight) in parts {
         sheet.polygon(&part, fill, BLACK);
         let middle = (part[0] + part[1] + part[2]) / 3.0;
         sheet.text(middle, &format!("{name} = {weight:.2}"), BLACK);
     }
-    sheet.dot(P, RED);
-    sheet.text(P - Vec2::new(0.0, 0.3), "P", RED);
+    sheet.dot(P, ORANGE);
+    sheet.text(P - Vec2::new(0.0, 0.3), "P", ORANGE);
     sheet.finish()
 }
 
@@ -250,7 +280,7 @@ fn signs() -> anyhow::Result<Drawing> {
         let (from, to) = (corners[n], corners[(n + 1) % 3]);
         let along = (to - from).normalize();
         sheet.dashed(from - along * 1.35, to + along * 1.35, GREY, 1.5);
-        sheet.arrow(from, to, [BLUE, RED, GREEN][n]);
+        sheet.arrow(from, to, [BLUE, ORANGE, GREEN][n]);
     }
     let edge = |n: usize, p: Vec2| (corners[(n + 1) % 3] - corners[n]).perp_dot(p - corners[n]);
     let places = [
@@ -264,7 +294,7 @@ fn signs() -> anyhow::Result<Drawing> {
     ];
     for place in places {
         let signs: Vec<&str> = (0..3).map(|n| if edge(n, place) > 0.0 { "+" } else { "−" }).collect();
-        sheet.text(place, &signs.join(" "), if signs.contains(&"−") { RED } else { BLACK });
+        sheet.text(place, &signs.join(" "), if signs.contains(&"−") { ORANGE } else { BLACK });
     }
     for (corner, name, away) in
         [(0, "A", at(-0.12, -0.32)), (1, "B", at(0.3, -0.22)), (2, "C", at(-0.35, 0.12))]
@@ -288,7 +318,7 @@ fn steps() -> anyhow::Result<Drawing> {
     sheet.arrow(from, to, BLACK);
     for (x, y) in all() {
         let words = value(x, y).to_string().replace('-', "−");
-        sheet.text((x as f32 + 0.5, y as f32 + 0.5), &words, if value(x, y) < 0 { RED } else { BLACK });
+        sheet.text((x as f32 + 0.5, y as f32 + 0.5), &words, if value(x, y) < 0 { ORANGE } else { BLACK });
     }
     sheet.finish()
 }
@@ -311,7 +341,7 @@ fn row() -> anyhow::Result<Drawing> {
         sheet.dot((x as f32 + 0.5, level), if inside.contains(&x) { GREEN } else { GREY });
     });
     let [a, b, c] = corners;
-    for (from, to, ink) in [(c, a, BLUE), (b, c, RED)] {
+    for (from, to, ink) in [(c, a, BLUE), (b, c, ORANGE)] {
         let t = (level - from.y) / (to.y - from.y);
         let x = from.x + t * (to.x - from.x);
         let side = if ink == BLUE { 1.0 } else { -1.0 };
@@ -319,7 +349,7 @@ fn row() -> anyhow::Result<Drawing> {
         sheet.arrow((x, level - 0.75), (x + 1.3 * side, level - 0.75), ink);
     }
     sheet.text((1.6, 5.7), "E ≥ 0", BLUE);
-    sheet.text((11.4, 5.8), "E ≥ 0", RED);
+    sheet.text((11.4, 5.8), "E ≥ 0", ORANGE);
     sheet.text((10.4, 0.85), "the third side bounds this row too,", GREY);
     sheet.text((10.4, 0.25), "but farther right", GREY);
     sheet.finish()
@@ -337,8 +367,8 @@ fn snap() -> anyhow::Result<Drawing> {
     }
     sheet.dot(corner, GREY);
     sheet.dot(snapped, BLUE);
-    sheet.dot(Vec2::splat(4.0), RED);
-    sheet.text_right_of((4.3, 3.1), "the centre", RED);
+    sheet.dot(Vec2::splat(4.0), ORANGE);
+    sheet.text_right_of((4.3, 3.1), "the centre", ORANGE);
     sheet.text((2.3, 6.2), "a corner", GREY);
     sheet.text((5.2, 7.1), "where it is moved", BLUE);
     sheet.finish()
@@ -360,9 +390,9 @@ fn top_left() -> anyhow::Result<Drawing> {
     sheet.text((4.5, 8.4), "top: inside", GREEN);
     sheet.text((0.2, 4.5), "left:", GREEN);
     sheet.text((0.2, 3.9), "inside", GREEN);
-    sheet.text((4.5, 0.6), "bottom: outside", RED);
-    sheet.text((9.0, 4.5), "right:", RED);
-    sheet.text((9.0, 3.9), "outside", RED);
+    sheet.text((4.5, 0.6), "bottom: outside", ORANGE);
+    sheet.text((9.0, 4.5), "right:", ORANGE);
+    sheet.text((9.0, 3.9), "outside", ORANGE);
     sheet.finish()
 }
 
@@ -374,7 +404,7 @@ fn lambert() -> anyhow::Result<Drawing> {
         let half = 0.8 / along.x;
         let [left, right] = [foot - along * half, foot + along * half];
         let top = 4.2;
-        sheet.polygon(&[left, right, right.with_y(top), left.with_y(top)], "#fbeecb", "none");
+        sheet.polygon(&[left, right, right.with_y(top), left.with_y(top)], PALE, "none");
         sheet.line(foot - along * 1.8, foot + along * 1.8, BLACK, 2.5);
         sheet.line(left, right, AMBER, 6.0);
         for side in [left, right] {
@@ -385,8 +415,8 @@ fn lambert() -> anyhow::Result<Drawing> {
             sheet.text_right_of(foot + Vec2::new(0.15, 1.8), "l", BLACK);
             sheet.arrow(foot, foot + along.perp() * 1.9, BLUE);
             sheet.text(foot + along.perp() * 2.1, "n", BLUE);
-            sheet.arc(foot, 0.9, std::f32::consts::FRAC_PI_2, std::f32::consts::FRAC_PI_2 + angle, RED);
-            sheet.text(foot + 1.2 * Vec2::from_angle(std::f32::consts::FRAC_PI_2 + angle / 2.0), "θ", RED);
+            sheet.arc(foot, 0.9, std::f32::consts::FRAC_PI_2, std::f32::consts::FRAC_PI_2 + angle, ORANGE);
+            sheet.text(foot + 1.2 * Vec2::from_angle(std::f32::consts::FRAC_PI_2 + angle / 2.0), "θ", ORANGE);
         } else {
             sheet.text(foot + Vec2::new(0.0, 2.2), "l = n", BLACK);
         }

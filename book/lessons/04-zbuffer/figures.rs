@@ -5,7 +5,7 @@ use triangles::{draw_model, fill, flat_intensity};
 use zbuffer::{DepthBuffer, METHODS, Surface, depth_at, fill_nearest, surfaces, z_f32};
 
 use crate::figures::picture::{all_beside, beside, canvas, method, model};
-use crate::figures::sheet::{BLACK, BLUE, FAINT, GREEN, GREY, Ink, RED, SKY, Sheet};
+use crate::figures::sheet::{BLACK, BLUE, FAINT, GREEN, GREY, Ink, ORANGE, PALE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -109,7 +109,7 @@ const ROW: u16 = 24;
 const ABOVE: [([Vec2; 2], Ink, &str); 3] = [
     ([Vec2::new(3.0, 1.2), Vec2::new(17.0, 1.2)], BLUE, "blue"),
     ([Vec2::new(10.0, 0.4), Vec2::new(22.0, 2.6)], GREEN, "green"),
-    ([Vec2::new(1.0, 2.4), Vec2::new(14.0, 0.2)], RED, "red"),
+    ([Vec2::new(1.0, 2.4), Vec2::new(14.0, 0.2)], ORANGE, "red"),
 ];
 
 /// Draws such a surface into a picture of one row; calls `visit` where it is seen.
@@ -181,7 +181,7 @@ fn plane() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.9, -0.5), (7.1, 4.0));
     let low = corners.map(|(x, y, ..)| ground(x, y));
     let high = corners.map(|(x, y, z, _)| up(ground(x, y), z));
-    sheet.polygon(&low, "#eeece5", GREY);
+    sheet.polygon(&low, PALE, GREY);
     let weights = Vec3::new(0.3, 0.4, 0.3);
     let mean = |points: [Vec2; 3]| points[0] * weights.x + points[1] * weights.y + points[2] * weights.z;
     let depth = depth_at(Vec3::new(0.9, 2.4, 1.5), weights);
@@ -190,17 +190,17 @@ fn plane() -> anyhow::Result<Drawing> {
     sheet.polygon(&high, SKY, BLUE);
     sheet.line(low[0], high[0], GREY, 2.0);
     sheet.line(low[1], high[1], GREY, 2.0);
-    sheet.dashed(p, up(p, depth), RED, 2.4);
-    sheet.dot(p, RED);
-    sheet.dot(up(p, depth), RED);
+    sheet.dashed(p, up(p, depth), ORANGE, 2.4);
+    sheet.dot(p, ORANGE);
+    sheet.dot(up(p, depth), ORANGE);
     for (n, (_, _, z, name)) in corners.into_iter().enumerate() {
         let away = [Vec2::new(-0.35, 0.0), Vec2::new(0.3, 0.0), Vec2::new(0.0, -0.25)][n];
         sheet.text(low[n] + if n == 2 { Vec2::new(0.35, 0.1) } else { away }, name, BLACK);
         let beside = [Vec2::new(-0.45, 0.1), Vec2::new(0.45, 0.1), Vec2::new(0.0, 0.3)][n];
         sheet.text(high[n] + beside, &format!("{z:.1}"), BLUE);
     }
-    sheet.text(p + Vec2::new(0.3, -0.1), "P", RED);
-    sheet.text(up(p, depth) + Vec2::new(0.45, 0.15), &format!("{depth:.2}"), RED);
+    sheet.text(p + Vec2::new(0.3, -0.1), "P", ORANGE);
+    sheet.text(up(p, depth) + Vec2::new(0.45, 0.15), &format!("{depth:.2}"), ORANGE);
     sheet.finish()
 }
 
@@ -289,7 +289,7 @@ fn levels() -> anyhow::Result<Drawing> {
     floats.extend([1.0, 0.0, 1.0 / 64.0, 1.0 / 32.0, 3.0 / 64.0]);
     let mirrored: Vec<f32> = floats.iter().flat_map(|&n| [n, -n]).collect();
     axis(0.5, &even, BLUE, "levels: evenly spaced");
-    axis(0.0, &mirrored, RED, "floats: finest near 0");
+    axis(0.0, &mirrored, ORANGE, "floats: finest near 0");
     for (x, name) in [(-1.0, "−1"), (0.0, "0"), (1.0, "1")] {
         sheet.text((x, -0.15), name, BLACK);
     }

@@ -1,7 +1,10 @@
 //! Chapter 5: colour from a picture.
 
+use std::path::Path;
+
 use anyhow::Context;
-use common::{Color, Format, Image, Model, Vec2, Vec3};
+use common::program::model::DEFAULT_MODEL;
+use common::{Attributes, Color, Format, Image, Model, Vec2, Vec3};
 use textures::{METHODS, interpolate, texel};
 use triangles::{barycentric::weights, fill};
 use zbuffer::{DepthBuffer, fill_nearest, surfaces, to_screen, z_f32};
@@ -10,7 +13,7 @@ use crate::figures::picture::{
     all_beside, beside, canvas, chequered, method, model, painted, paste, texture,
 };
 use crate::figures::shape::parsed;
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, Ink, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, Ink, MINT, ORANGE, PALE, ROSE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -25,6 +28,11 @@ pub(crate) const FIGURES: &[Figure] = &[
         "Left the texture, a face spread out flat. Right the head, redder the larger u is and greener the larger \
          v is.",
         coordinates,
+    ),
+    Figure::new(
+        "textures-second",
+        "A knotted tube three times: in grey, chequered, and with the boards of a crate along it.",
+        second,
     ),
     Figure::new(
         "textures-map",
@@ -103,6 +111,16 @@ fn coordinates() -> anyhow::Result<Drawing> {
     beside([&texture()?.scale(600, 600), &nearest(&model()?, &gradient, canvas(600))?])
 }
 
+/// Another model: the same places in two textures.
+fn second() -> anyhow::Result<Drawing> {
+    let beside_head = |name: &str| Path::new(DEFAULT_MODEL).with_file_name(name);
+    let knot = Model::read(&beside_head("torus-knot.obj"), Attributes { normals: false, uvs: true })?;
+    let white = painted(1, 1, |_, _| Color::WHITE);
+    let board = chequered(64, 16, [Color::rgb(250, 235, 200), Color::rgb(20, 90, 130)]);
+    let wood = Image::read(&beside_head("crate.png"))?;
+    all_beside([white, board, wood].map(|texture| nearest(&knot, &texture, canvas(600))))
+}
+
 fn map() -> anyhow::Result<Drawing> {
     let at = Vec2::new;
     let mut sheet = Sheet::new((-0.4, -0.75), (10.0, 4.5));
@@ -112,7 +130,7 @@ fn map() -> anyhow::Result<Drawing> {
     let uvs = [at(0.1, 0.55), at(0.75, 0.1), at(0.85, 0.9)];
     let square = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)].map(|uv| origin + side * uv);
     let flat = uvs.map(|uv| origin + side * uv);
-    sheet.polygon(&square, "#f4efe0", GREY);
+    sheet.polygon(&square, PALE, GREY);
     let p = at(1.9, 1.6);
     let shares = weights(picture, p).context("the triangle has an area")?;
     let q = origin + side * interpolate(uvs, shares);
@@ -120,14 +138,14 @@ fn map() -> anyhow::Result<Drawing> {
         sheet.polygon(&triangle, SKY, BLUE);
         triangle.iter().for_each(|&corner| sheet.dashed(point, corner, GREY, 1.2));
         triangle.iter().for_each(|&corner| sheet.dot(corner, BLACK));
-        sheet.dot(point, RED);
+        sheet.dot(point, ORANGE);
     }
     for (n, name) in ["A", "B", "C"].into_iter().enumerate() {
         sheet.text(picture[n] + [at(-0.3, -0.1), at(0.25, -0.2), at(-0.32, 0.0)][n], name, BLACK);
         sheet.text(flat[n] + [at(-0.1, 0.32), at(0.3, -0.15), at(0.1, -0.38)][n], name, BLACK);
     }
-    sheet.text(p + at(0.3, 0.2), "P", RED);
-    sheet.text(q + at(-0.15, 0.36), "(u, v)", RED);
+    sheet.text(p + at(0.3, 0.2), "P", ORANGE);
+    sheet.text(q + at(-0.15, 0.36), "(u, v)", ORANGE);
     sheet.text((1.9, 4.3), "the picture", BLACK);
     sheet.text(origin + at(side / 2.0, 4.3), "the texture", BLACK);
     sheet.text(origin + at(0.0, -0.35), "0", GREY);
@@ -141,7 +159,7 @@ fn map() -> anyhow::Result<Drawing> {
 fn texels() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-1.1, -1.0), (4.9, 3.3));
     for (x, y) in (0..3).flat_map(|y| (0..4).map(move |x| (x, y))) {
-        sheet.pixel(x, y, if (x + y) % 2 == 0 { SKY } else { "#d6ecf9" });
+        sheet.pixel(x, y, if (x + y) % 2 == 0 { SKY } else { PALE });
         let low = if (x, y) == (2, 1) { 0.28 } else { 0.0 };
         sheet.text((x as f32 + 0.5, y as f32 + 0.5 - low), &format!("({x}, {y})"), BLACK);
     }
@@ -155,14 +173,14 @@ fn texels() -> anyhow::Result<Drawing> {
     }
     sheet.text((2.0, -0.78), "u", BLUE);
     sheet.text((-0.8, 1.5), "v", BLUE);
-    sheet.dot((2.5, 1.5), RED);
-    sheet.text((2.5, 1.75), "(⅝, ½)", RED);
+    sheet.dot((2.5, 1.5), ORANGE);
+    sheet.text((2.5, 1.75), "(⅝, ½)", ORANGE);
     sheet.finish()
 }
 
 /// What the methods find along a row of four texels.
 fn strips() -> anyhow::Result<Drawing> {
-    const INKS: [Ink; 4] = [SKY, AMBER, "#8fc9b3", "#d9a3c2"];
+    const INKS: [Ink; 4] = [SKY, AMBER, MINT, ROSE];
     let row = painted(4, 1, |x, _| Color::rgb(x as u8 + 1, 0, 0));
     let at = Vec2::new;
     let mut sheet = Sheet::new((-0.92, -0.25), (1.56, 1.62));
@@ -188,8 +206,8 @@ fn strips() -> anyhow::Result<Drawing> {
     }
     for (u, name) in [(-0.5, "−½"), (0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1"), (1.5, "1½")]
     {
-        sheet.dashed((u, 0.0), (u, 1.58), if u == 0.0 || u == 1.0 { RED } else { FAINT }, 1.5);
-        sheet.text((u, -0.13), name, if u == 0.0 || u == 1.0 { RED } else { BLACK });
+        sheet.dashed((u, 0.0), (u, 1.58), if u == 0.0 || u == 1.0 { ORANGE } else { FAINT }, 1.5);
+        sheet.text((u, -0.13), name, if u == 0.0 || u == 1.0 { ORANGE } else { BLACK });
     }
     sheet.finish()
 }
@@ -284,7 +302,8 @@ fn seam() -> anyhow::Result<Drawing> {
         }
         nearest(&parsed(&text)?, &stripes(), Image::new(450, 75, Format::Rgb))
     };
-    let mut both = Image::new(450, 160, Format::Rgb);
+    // What neither covers is transparent, and shows the page.
+    let mut both = Image::new(450, 160, Format::Rgba);
     paste(&draw(false)?, &mut both, [0, 85]);
     paste(&draw(true)?, &mut both, [0, 0]);
     Ok(Drawing::Pixels(both, 2))

@@ -10,7 +10,7 @@ use zbuffer::{DepthBuffer, fill_nearest, to_screen};
 
 use crate::figures::picture::{all_beside, beside, canvas, cut, method, model, painted, texture};
 use crate::figures::shape::{ball, parsed};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, RED, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, ORANGE, PAPER, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -156,7 +156,7 @@ fn profile() -> anyhow::Result<Drawing> {
         let [a, b] = [pair[0], pair[1]];
         let normal = |angle: f32| Vec3::new(angle.sin(), 0.0, angle.cos());
         let corners = intensities([normal(a), normal(b), normal((a + b) / 2.0)], Vec3::Z);
-        sheet.line((a.sin(), corners.z), (b.sin(), corners.z), RED, 2.6);
+        sheet.line((a.sin(), corners.z), (b.sin(), corners.z), ORANGE, 2.6);
         sheet.line((a.sin(), corners.x), (b.sin(), corners.y), BLUE, 2.6);
         sheet.dot((b.sin(), corners.y.abs()), BLUE);
     }
@@ -166,7 +166,7 @@ fn profile() -> anyhow::Result<Drawing> {
     sheet.text((-1.0, -0.12), "x = −1", GREY);
     sheet.text((0.0, 1.12), "the sphere", GREY);
     sheet.text((-0.3, 0.6), "Gouraud", BLUE);
-    sheet.text((0.86, 0.28), "flat", RED);
+    sheet.text((0.86, 0.28), "flat", ORANGE);
     sheet.finish()
 }
 
@@ -188,9 +188,9 @@ fn weights() -> anyhow::Result<Drawing> {
     sheet.polygon(&[corners[0], zero[0], zero[1]], GREY, "none");
     for tenth in [-4, -2, 2, 4, 6, 8] {
         let ends = line(tenth as f32 / 10.0);
-        sheet.line(ends[0], ends[1], "#ffffff", 1.6);
+        sheet.line(ends[0], ends[1], PAPER, 1.6);
     }
-    sheet.line(zero[0], zero[1], RED, 3.5);
+    sheet.line(zero[0], zero[1], ORANGE, 3.5);
     sheet.polygon(&corners, "none", BLACK);
     for (corner, value) in corners.iter().zip(values) {
         sheet.dot(*corner, BLACK);
@@ -198,7 +198,7 @@ fn weights() -> anyhow::Result<Drawing> {
         let sign = if value < 0.0 { "−" } else { "" };
         sheet.text(*corner + Vec2::new(0.0, below), &format!("{sign}{}", value.abs()), BLACK);
     }
-    sheet.text_left_of(zero[1] + Vec2::new(-0.12, 0.15), "0", RED);
+    sheet.text_left_of(zero[1] + Vec2::new(-0.12, 0.15), "0", ORANGE);
     sheet.text_right_of((4.6, 3.1), "each line: one", BLACK);
     sheet.text_right_of((4.6, 2.65), "brightness", BLACK);
     sheet.finish()

@@ -12,7 +12,7 @@ use transforms::{METHODS, normal_matrix, place, projection, scale, translate, vi
 
 use crate::figures::picture::{all_beside, beside, chequered, cut, method, model, texture};
 use crate::figures::shape::{ball, parsed};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, PURPLE, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, ORANGE, PALE, PURPLE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::gouraud::figures::{smooth, white};
 
@@ -206,12 +206,12 @@ fn homogeneous() -> anyhow::Result<Drawing> {
     let [from, to] = [Mat4::IDENTITY, slant].map(|m| (m * Vec4::new(0.8, 1.0, 0.0, 1.0)).xy());
     sheet.dashed(Vec2::ZERO, from * 2.4, GREY, 1.6);
     sheet.arrow(Vec2::ZERO, from, BLUE);
-    sheet.arrow(Vec2::ZERO, to, RED);
+    sheet.arrow(Vec2::ZERO, to, ORANGE);
     sheet.arrow(from + at(0.1, 0.12), to + at(-0.1, 0.12), GREEN);
     sheet.dot(from * 2.0, BLUE);
     sheet.arrow((3.4, 0.0), (4.6, 0.0), PURPLE);
     sheet.text_left_of((0.62, 1.2), "point", BLUE);
-    sheet.text_right_of((2.5, 0.82), "moved", RED);
+    sheet.text_right_of((2.5, 0.82), "moved", ORANGE);
     sheet.text_right_of((1.75, 2.0), "the same point, at w = 2", BLUE);
     sheet.text((4.0, 0.25), "a vector: w = 0", PURPLE);
     sheet.text((4.75, 1.2), "w = 1", BLACK);
@@ -230,7 +230,7 @@ fn order() -> anyhow::Result<Drawing> {
         let origin = Vec2::new(x, 0.0);
         sheet.axes(origin, Vec2::new(-1.8, -0.2), Vec2::new(3.6, 3.9), 1.4);
         draw_letter(&mut sheet, origin, &Mat4::IDENTITY, "none", GREY);
-        draw_letter(&mut sheet, origin, &first, "none", RED);
+        draw_letter(&mut sheet, origin, &first, "none", ORANGE);
         draw_letter(&mut sheet, origin, &both, SKY, BLUE);
         sheet.text(origin + Vec2::new(1.0, -0.6), words, BLACK);
     }
@@ -254,7 +254,7 @@ fn about_point() -> anyhow::Result<Drawing> {
         let at = |m: &Mat4| place(m, point).map(|p| origin + p.truncate());
         if let (Some(before), Some(after)) = (at(from), at(to)) {
             sheet.dot(before, GREY);
-            sheet.dot(after, RED);
+            sheet.dot(after, ORANGE);
         }
         sheet.text(origin + Vec2::new(0.1, -2.3), words, BLACK);
     }
@@ -276,12 +276,12 @@ fn rodrigues_parts() -> anyhow::Result<Drawing> {
     sheet.line(see(Vec3::ZERO), see(along), GREEN, 3.0);
     sheet.arrow(see(along), see(axis * 3.4), BLACK);
     sheet.arrow(see(Vec3::ZERO), see(u), BLUE);
-    sheet.arrow(see(Vec3::ZERO), see(turned), RED);
+    sheet.arrow(see(Vec3::ZERO), see(turned), ORANGE);
     sheet.dot(see(along), GREEN);
     sheet.dot(see(along + v), PURPLE);
     sheet.text_right_of(see(axis * 3.25) + Vec2::new(0.1, 0.0), "Δ", BLACK);
     sheet.text_left_of(see(u * 0.6) + Vec2::new(-0.08, -0.04), "u", BLUE);
-    sheet.text_right_of(see(turned * 0.6) + Vec2::new(0.1, -0.04), "u′", RED);
+    sheet.text_right_of(see(turned * 0.6) + Vec2::new(0.1, -0.04), "u′", ORANGE);
     sheet.text_left_of(see(along) + Vec2::new(-0.1, 0.16), "u∥", GREEN);
     sheet.text_left_of(see(along + across * 0.6) + Vec2::new(-0.06, 0.08), "u⊥", GREY);
     sheet.text_right_of(see(along + v) + Vec2::new(0.1, -0.12), "v = Δ × u⊥", PURPLE);
@@ -297,12 +297,12 @@ fn circle() -> anyhow::Result<Drawing> {
     sheet.dashed((0.0, sin), (cos, sin), GREY, 1.8);
     sheet.arrow(Vec2::ZERO, (1.2, 0.0), BLACK);
     sheet.arrow(Vec2::ZERO, (0.0, 1.2), PURPLE);
-    sheet.arrow(Vec2::ZERO, (cos, sin), RED);
+    sheet.arrow(Vec2::ZERO, (cos, sin), ORANGE);
     sheet.arc(Vec2::ZERO, 0.35, 0.0, angle, BLACK);
     sheet.text((0.42, 0.22), "θ", BLACK);
     sheet.text_right_of((1.25, 0.0), "u⊥", BLACK);
     sheet.text((0.0, 1.34), "v", PURPLE);
-    sheet.text_right_of((cos + 0.06, sin + 0.06), "u⊥ turned", RED);
+    sheet.text_right_of((cos + 0.06, sin + 0.06), "u⊥ turned", ORANGE);
     sheet.text((cos / 2.0, -0.16), "cos θ · u⊥", GREY);
     sheet.text_left_of((-0.06, sin / 2.0), "sin θ · v", GREY);
     sheet.finish()
@@ -310,18 +310,25 @@ fn circle() -> anyhow::Result<Drawing> {
 
 fn gimbal() -> anyhow::Result<Drawing> {
     let see = seen_from(Vec3::new(2.4, 1.3, 2.6))?;
-    let mut sheet = Sheet::new((-2.0, -2.4), (6.4, 2.2));
+    let mut sheet = Sheet::new((-2.3, -2.4), (6.7, 2.2));
     for (left, pitch) in [(0.0, 20.0), (4.4, 90.0)] {
         let origin = Vec2::new(left, 0.0);
         let (outer, middle) = (rotate_y(-20.0), rotate_y(-20.0) * rotate_x(pitch));
         for (axis, radius, ink, name) in [
-            (Vec3::Y, 1.5, BLUE, "y"),
-            (outer * Vec3::X, 1.25, GREEN, "x"),
-            (middle * Vec3::Z, 1.0, RED, "z"),
+            (Vec3::Y, 1.5, BLUE, "outer, y"),
+            (outer * Vec3::X, 1.25, GREEN, "middle, x"),
+            (middle * Vec3::Z, 1.0, ORANGE, "inner, z"),
         ] {
             sheet.polyline(ring(Vec3::ZERO, axis, radius).map(|point| origin + see(point)), ink, 3.0);
-            sheet.arrow(origin, origin + see(axis * (radius + 0.35)), ink);
-            sheet.text(origin + see(axis * (radius + 0.35)) * 1.14, name, ink);
+            let end = see(axis * (radius + 0.35));
+            sheet.arrow(origin, origin + end, ink);
+            // Beside the tip, away from the rings.
+            let beside = origin + end + end.normalize_or_zero() * 0.24;
+            match end.x {
+                x if x > 0.3 => sheet.text_right_of(beside, name, ink),
+                x if x < -0.3 => sheet.text_left_of(beside, name, ink),
+                _ => sheet.text(beside, name, ink),
+            }
         }
         sheet.text(origin + Vec2::new(0.0, -2.15), &format!("pitch {pitch}°"), BLACK);
     }
@@ -332,7 +339,7 @@ fn long_way() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-2.6, -1.45), (2.6, 1.5));
     let (from, to) = (quaternion(Vec3::Z, 20_f32.to_radians()), quaternion(Vec3::Z, 120_f32.to_radians()));
     let direction = |q: Quat| (from_quaternion(q.normalize()) * Vec3::X).truncate();
-    for (to, radius, ink) in [(to, 1.15, BLUE), (-to, 0.9, RED)] {
+    for (to, radius, ink) in [(to, 1.15, BLUE), (-to, 0.9, ORANGE)] {
         let steps: Vec<Vec2> = (0..=8)
             .map(|n| {
                 // A step on the straight line between two quaternions, made 1 long: not quite even, but on the arc.
@@ -348,7 +355,7 @@ fn long_way() -> anyhow::Result<Drawing> {
         sheet.text(direction(q) * 1.32 + Vec2::new(0.28 * direction(q).x.signum(), 0.08), words, BLACK);
     }
     sheet.text_right_of((0.75, 1.15), "q to p", BLUE);
-    sheet.text_right_of((0.85, -0.75), "q to −p", RED);
+    sheet.text_right_of((0.85, -0.75), "q to −p", ORANGE);
     sheet.finish()
 }
 
@@ -362,12 +369,12 @@ fn normals() -> anyhow::Result<Drawing> {
         let point = (m * on(degrees).extend(1.0)).xy();
         let wrong = (m * on(degrees).extend(0.0)).xy().normalize();
         let normal = (right * on(degrees)).truncate().normalize();
-        sheet.arrow(point, point + wrong * 0.6, RED);
+        sheet.arrow(point, point + wrong * 0.6, ORANGE);
         sheet.arrow(point, point + normal * 0.75, BLUE);
         sheet.dot(point, BLACK);
     }
     sheet.text((0.0, 0.5), "blue: inverse transpose", BLUE);
-    sheet.text((0.0, 0.16), "red: stretched as points are", RED);
+    sheet.text((0.0, 0.16), "red: stretched as points are", ORANGE);
     sheet.finish()
 }
 
@@ -401,20 +408,20 @@ fn similar() -> anyhow::Result<Drawing> {
     sheet.line((0.0, -0.35), (0.0, 2.1), BLACK, 2.4);
     sheet.line((d, 0.0), p, BLACK, 1.8);
     sheet.line((p.x, 0.0), p, BLUE, 3.0);
-    sheet.line((0.0, 0.0), (0.0, seen), RED, 4.0);
+    sheet.line((0.0, 0.0), (0.0, seen), ORANGE, 4.0);
     sheet.dot(p, BLUE);
-    sheet.dot((0.0, seen), RED);
+    sheet.dot((0.0, seen), ORANGE);
     sheet.dot((d, 0.0), BLACK);
     sheet.text(p + at(0.0, 0.22), "P", BLUE);
     sheet.text_left_of((p.x - 0.1, 0.95), "x", BLUE);
-    sheet.text_right_of((0.1, 0.42), "x′", RED);
+    sheet.text_right_of((0.1, 0.42), "x′", ORANGE);
     sheet.text((0.5, 1.95), "picture", BLACK);
     sheet.text((d, 0.27), "eye", BLACK);
     sheet.text((p.x, -0.25), "z", BLACK);
     sheet.text((0.22, -0.25), "0", BLACK);
     sheet.text((d, -0.25), "d", BLACK);
-    sheet.text((1.3, -0.6), "d", RED);
-    sheet.line((0.0, -0.45), (d, -0.45), RED, 1.6);
+    sheet.text((1.3, -0.6), "d", ORANGE);
+    sheet.line((0.0, -0.45), (d, -0.45), ORANGE, 1.6);
     sheet.text((-1.2, -0.6), "d − z", BLUE);
     sheet.line((p.x, -0.38), (d, -0.38), BLUE, 1.6);
     sheet.finish()
@@ -444,7 +451,7 @@ fn behind() -> anyhow::Result<Drawing> {
     let size = |z: f32| 0.5 / (projection(d) * Vec4::new(0.0, 0.0, z, 1.0)).w;
     sheet.axes(Vec2::ZERO, at(-4.2, -2.5), at(5.8, 2.8), 1.4);
     sheet.dashed((d, -2.6), (d, 2.8), GREY, 1.8);
-    for (from, to, ink) in [(-4.2, d - 0.01, BLUE), (d + 0.01, 5.8, RED)] {
+    for (from, to, ink) in [(-4.2, d - 0.01, BLUE), (d + 0.01, 5.8, ORANGE)] {
         let points = (0..=100).map(|n| from + (to - from) * n as f32 / 100.0).map(|z| (z, size(z)));
         sheet.polyline(points.filter(|(_, size)| size.abs() < 2.7), ink, 2.8);
     }
@@ -452,8 +459,8 @@ fn behind() -> anyhow::Result<Drawing> {
     sheet.text_right_of((0.12, 0.3), "1", BLUE);
     sheet.text_right_of((d + 0.15, 2.55), "z = d: the eye", BLACK);
     sheet.text((-2.4, 0.75), "1 / w: seen", BLUE);
-    sheet.text_right_of((3.4, -1.35), "upside down:", RED);
-    sheet.text_right_of((3.4, -1.85), "behind the eye", RED);
+    sheet.text_right_of((3.4, -1.35), "upside down:", ORANGE);
+    sheet.text_right_of((3.4, -1.85), "behind the eye", ORANGE);
     sheet.text((5.7, 0.3), "z", GREY);
     sheet.finish()
 }
@@ -554,7 +561,7 @@ fn depth_row() -> anyhow::Result<Drawing> {
     sheet.dashed((0.0, 2.0), (10.3, 2.0), GREY, 1.4);
     sheet.dashed((0.0, -2.0), (10.3, -2.0), GREY, 1.4);
     for (near, ink, words, where_) in
-        [(1.0, BLUE, "near plane at 1", at(3.4, 0.75)), (0.1, RED, "at 0.1", at(1.5, 2.45))]
+        [(1.0, BLUE, "near plane at 1", at(3.4, 0.75)), (0.1, ORANGE, "at 0.1", at(1.5, 2.45))]
     {
         let m = frustum([-1.0, 1.0], [-1.0, 1.0], near, far);
         let points = (0..=200).map(|n| near + (far - near) * (n as f32 / 200.0).powi(2));
@@ -577,7 +584,7 @@ fn to_pixels() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.5, -0.9), (14.4, 6.6));
     let letter_in_square = translate(Vec3::new(-0.35, -0.6, 0.0)) * scale(Vec3::splat(0.75));
     let (center, half) = (Vec2::new(2.2, 3.0), 2.0);
-    sheet.rectangle(center - half, center + half, "#ffffff", GREY);
+    sheet.rectangle(center - half, center + half, PALE, GREY);
     sheet.axes(center, Vec2::splat(-half), Vec2::splat(half), 1.4);
     draw_letter(&mut sheet, center, &(scale(Vec3::splat(half)) * letter_in_square), SKY, BLUE);
     sheet.text(center - half - Vec2::new(0.0, 0.5), "(−1, −1)", BLACK);
@@ -587,9 +594,9 @@ fn to_pixels() -> anyhow::Result<Drawing> {
     sheet.grid((6, 0), (14, 6));
     draw_letter(&mut sheet, picture, &(viewport(8.0, 6.0, 0.5) * letter_in_square), SKY, BLUE);
     sheet.dot(picture, BLACK);
-    sheet.dot(picture + Vec2::new(4.0, 3.0), RED);
+    sheet.dot(picture + Vec2::new(4.0, 3.0), ORANGE);
     sheet.text(picture + Vec2::new(0.2, -0.5), "(0, 0)", BLACK);
-    sheet.text_right_of(picture + Vec2::new(5.1, 3.0), "(4, 3)", RED);
+    sheet.text_right_of(picture + Vec2::new(5.1, 3.0), "(4, 3)", ORANGE);
     sheet.text_left_of(picture + Vec2::new(8.2, -0.5), "8 × 6 pixels", BLACK);
     sheet.finish()
 }

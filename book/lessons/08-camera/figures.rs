@@ -8,7 +8,7 @@ use gouraud::{Scene, Wrap, corner_normals};
 use transforms::{place, projection, viewport};
 
 use crate::figures::picture::{all_beside, method, model, texture};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, PURPLE, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, ORANGE, PURPLE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::gouraud::figures::smooth;
 use crate::lessons::transforms::figures::seen_from;
@@ -126,7 +126,7 @@ fn eye_and_basis() -> anyhow::Result<Drawing> {
     let corner = |i: f32, j: f32| see(center + x * i + y * j);
     sheet.polygon(&[corner(-1.1, -1.1), corner(1.1, -1.1), corner(1.1, 1.1), corner(-1.1, 1.1)], SKY, BLUE);
     sheet.dashed(see(center), see(eye), GREY, 2.0);
-    for (axis, ink, name) in [(x, RED, "x′"), (y, GREEN, "y′"), (z, BLACK, "z′")] {
+    for (axis, ink, name) in [(x, ORANGE, "x′"), (y, GREEN, "y′"), (z, BLACK, "z′")] {
         sheet.arrow(see(center), see(center + axis * 0.95), ink);
         let tip = see(center + axis * 0.95);
         sheet.text(tip + (tip - see(center)).normalize() * 0.2, name, ink);
@@ -163,8 +163,8 @@ fn change() -> anyhow::Result<Drawing> {
     sheet.arrow(Vec2::ZERO, (0.0, 1.0), BLACK);
     sheet.arrow(other, other + i, BLUE);
     sheet.arrow(other, other + j, BLUE);
-    sheet.dot(p, RED);
-    sheet.text_right_of(p + at(0.12, 0.12), "P", RED);
+    sheet.dot(p, ORANGE);
+    sheet.text_right_of(p + at(0.12, 0.12), "P", ORANGE);
     sheet.text((-0.2, -0.25), "O", BLACK);
     sheet.text((0.9, -0.28), "i", BLACK);
     sheet.text((-0.25, 0.9), "j", BLACK);
@@ -189,7 +189,7 @@ fn up() -> anyhow::Result<Drawing> {
     sheet.arrow(Vec2::ZERO, z * 1.2, BLACK);
     sheet.arrow(Vec2::ZERO, up, PURPLE);
     sheet.arrow(Vec2::ZERO, y * 1.2, GREEN);
-    sheet.dot(Vec2::ZERO, RED);
+    sheet.dot(Vec2::ZERO, ORANGE);
     sheet.dot(z * 3.4, BLACK);
     sheet.arc(Vec2::ZERO, 0.42, z.to_angle(), std::f32::consts::FRAC_PI_2, BLACK);
     sheet.text(Vec2::from_angle(1.0) * 0.6, "θ", BLACK);
@@ -197,7 +197,7 @@ fn up() -> anyhow::Result<Drawing> {
     sheet.text(z * 1.2 + Vec2::new(0.1, -0.22), "z′", BLACK);
     sheet.text_right_of(up + Vec2::new(0.1, 0.0), "up", PURPLE);
     sheet.text_left_of(y * 1.2 + Vec2::new(-0.1, 0.0), "y′", GREEN);
-    sheet.text((0.25, -0.25), "x′, towards you", RED);
+    sheet.text((0.25, -0.25), "x′, towards you", ORANGE);
     sheet.finish()
 }
 
@@ -243,7 +243,7 @@ fn steps(center: Vec2, right_order: bool) -> anyhow::Result<Drawing> {
         let letter = LETTER.map(|(x, y)| at(center + Vec3::new(x, 0.0, -y)));
         sheet.polygon(&letter, SKY, BLUE);
         sheet.dashed(at(eye), at(center), BLACK, 1.8);
-        sheet.dot(at(center), RED);
+        sheet.dot(at(center), ORANGE);
         sheet.dot(at(eye), BLACK);
         sheet.text(origin + Vec2::new(0.2, -3.9), words, BLACK);
     }
@@ -280,7 +280,7 @@ fn chain() -> anyhow::Result<Drawing> {
     for (n, words) in ["T · R · S", "V", "W · P, ÷ w"].iter().enumerate() {
         let left = 4.0 * n as f32 + 2.4;
         sheet.arrow((left, 0.0), (left + 1.6, 0.0), BLACK);
-        sheet.text((left + 0.8, 0.95), words, RED);
+        sheet.text((left + 0.8, 0.95), words, ORANGE);
     }
     for (n, words) in ["chapter 7", "this one", "chapter 7"].iter().enumerate() {
         sheet.text((4.0 * n as f32 + 3.2, -0.95), words, GREY);

@@ -14,7 +14,7 @@ use zbuffer::fill_nearest;
 
 use crate::figures::picture::{all_beside, beside, canvas, chequered, method, model, paste, texture};
 use crate::figures::shape::{ball, parsed};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, RED, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, ORANGE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::transforms::figures::TILES;
 
@@ -164,7 +164,7 @@ fn parts() -> anyhow::Result<Drawing> {
         }
     }
     for (row, words) in ["White", "Texture"].iter().enumerate() {
-        sheet.text((-2.25, -0.6 - 1.8 * row as f32), words, RED);
+        sheet.text((-2.25, -0.6 - 1.8 * row as f32), words, ORANGE);
     }
     sheet.finish()
 }
@@ -172,18 +172,18 @@ fn parts() -> anyhow::Result<Drawing> {
 fn calls() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-1.9, -5.0), (10.9, 1.9));
     let at = Vec2::new;
-    sheet.text((1.9, 1.45), "dyn", RED);
+    sheet.text((1.9, 1.45), "dyn", ORANGE);
     sheet.labelled(at(-0.3, -1.4), at(1.4, 0.7), SKY, "one loop");
     sheet.text((8.4, 1.45), "generic", GREEN);
     for (n, name) in ["flat", "gouraud", "…"].iter().enumerate() {
         let y = 0.4 - 1.8 * n as f32;
-        sheet.arrow((1.15, -1.4), (2.9, y), RED);
+        sheet.arrow((1.15, -1.4), (2.9, y), ORANGE);
         sheet.labelled(at(4.0, y), at(1.05, 0.55), AMBER, name);
         sheet.labelled(at(8.4, y), at(2.3, 0.7), SKY, "");
         sheet.text((7.2, y), "loop", BLACK);
         sheet.labelled(at(9.25, y), at(1.15, 0.48), AMBER, name);
     }
-    sheet.text((1.5, -4.65), "a call at every pixel", RED);
+    sheet.text((1.5, -4.65), "a call at every pixel", ORANGE);
     sheet.text((8.4, -4.65), "no call at all", GREEN);
     sheet.finish()
 }
@@ -200,14 +200,14 @@ fn stairs() -> anyhow::Result<Drawing> {
         let i = n as f32 / 100.0 + 0.001;
         let point = at(i, Quantized.intensity(6.0, i).max(-0.3));
         if let Some(last) = last.filter(|last| (last.y - point.y).abs() < 0.01) {
-            sheet.line(last, point, if point.y < 0.0 { RED } else { BLUE }, 3.2);
+            sheet.line(last, point, if point.y < 0.0 { ORANGE } else { BLUE }, 3.2);
         }
         last = Some(point);
     }
     sheet.text((1.0, -0.12), "1", BLACK);
     sheet.text_left_of((-0.04, 1.0), "1", BLACK);
     sheet.text((1.32, -0.12), "i", GREY);
-    sheet.text((-0.26, 0.6), "dropped", RED);
+    sheet.text((-0.26, 0.6), "dropped", ORANGE);
     sheet.text_right_of((0.62, 0.3), "six steps", BLUE);
     sheet.finish()
 }
@@ -267,9 +267,9 @@ fn warp() -> anyhow::Result<Drawing> {
         let height = seen(near) + (seen(far) - seen(near)) * n as f32 / steps as f32;
         let x = eye.y * picture / (eye.y - height);
         let middle = n * 2 == steps;
-        sheet.line(eye, (x, 0.0), if middle { RED } else { FAINT }, if middle { 2.2 } else { 1.6 });
-        sheet.dot((picture, height), if middle { RED } else { BLUE });
-        sheet.dot((x, 0.0), if middle { RED } else { BLUE });
+        sheet.line(eye, (x, 0.0), if middle { ORANGE } else { FAINT }, if middle { 2.2 } else { 1.6 });
+        sheet.dot((picture, height), if middle { ORANGE } else { BLUE });
+        sheet.dot((x, 0.0), if middle { ORANGE } else { BLUE });
     }
     let middle = at((near + far) / 2.0, 0.0);
     sheet.arrow(middle + at(0.0, 0.8), middle + at(0.0, 0.1), BLACK);
@@ -279,7 +279,7 @@ fn warp() -> anyhow::Result<Drawing> {
     sheet.text((picture, 2.08), "picture", BLACK);
     sheet.text((near, -0.3), "near", BLUE);
     sheet.text((far, -0.3), "far", BLUE);
-    sheet.text_right_of((3.3, -0.55), "the middle of the picture", RED);
+    sheet.text_right_of((3.3, -0.55), "the middle of the picture", ORANGE);
     sheet.finish()
 }
 
@@ -287,7 +287,7 @@ fn share() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.2, -0.2), (1.55, 1.12));
     sheet.axes((0.0, 0.0), (0.0, 0.0), (1.08, 1.08), 1.5);
     sheet.dashed((0.0, 0.0), (1.0, 1.0), GREY, 1.8);
-    for (ratio, ink) in [(1.5_f32, GREEN), (3.0, BLUE), (9.0, RED)] {
+    for (ratio, ink) in [(1.5_f32, GREEN), (3.0, BLUE), (9.0, ORANGE)] {
         let curve = (0..=60).map(|n| n as f32 / 60.0).map(|s| (s, s / (s + (1.0 - s) * ratio)));
         sheet.polyline(curve, ink, 2.8);
         let root = ratio.sqrt();
@@ -300,7 +300,7 @@ fn share() -> anyhow::Result<Drawing> {
     sheet.text_right_of((0.05, 1.06), "t, on the floor", GREY);
     sheet.text_right_of((1.1, 0.9), "r = 1.5", GREEN);
     sheet.text_right_of((1.1, 0.75), "r = 3", BLUE);
-    sheet.text_right_of((1.1, 0.6), "r = 9", RED);
+    sheet.text_right_of((1.1, 0.6), "r = 9", ORANGE);
     sheet.finish()
 }
 

@@ -103,6 +103,7 @@ pub(super) fn decode(file: &[u8]) -> Result<Image, PictureError> {
     let mut image = Image::new(width, height, pixel.format());
     let (width, height, bytes) = (usize::from(width), usize::from(height), pixel.format() as usize);
     let size = usize::from(depth.div_ceil(8));
+    // ANCHOR: packets
     let (mut left, mut run, mut stored) = (0, false, &[][..]);
     for n in 0..width * height {
         let begins = kind & RLE != 0 && left == 0;
@@ -114,6 +115,7 @@ pub(super) fn decode(file: &[u8]) -> Result<Image, PictureError> {
             stored = take(&mut rest, size)?;
         }
         left = left.saturating_sub(1);
+        // ANCHOR_END: packets
         let channels = pixel.channels(if mapped {
             let index = stored.iter().rev().fold(0, |index, &byte| index << 8 | usize::from(byte));
             let entry = index.checked_sub(first).and_then(|index| map.clone().nth(index));
@@ -136,6 +138,7 @@ fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], PictureError>
 
 /// The bytes of a picture's file. It begins at the top left, as every reader we know understands, and no packet
 /// crosses the end of a row, which some refuse (Python's Pillow is one).
+// ANCHOR: encode
 pub(super) fn encode(image: &Image, packed: bool) -> Result<Vec<u8>, PictureError> {
     let size = image.bytes_per_pixel();
     let [width, height] = [image.width(), image.height()].map(|side| (side as u16).to_le_bytes());
@@ -156,8 +159,10 @@ pub(super) fn encode(image: &Image, packed: bool) -> Result<Vec<u8>, PictureErro
     }
     Ok(file)
 }
+// ANCHOR_END: encode
 
 /// Appends a row in packets: runs of one colour and what lies between them, by turns.
+// ANCHOR: pack
 fn pack(row: &[u8], size: usize, file: &mut Vec<u8>) {
     let pixels: Vec<&[u8]> = row.chunks_exact(size).collect();
     let (mut rest, mut run) = (pixels.as_slice(), true);
@@ -175,6 +180,7 @@ fn pack(row: &[u8], size: usize, file: &mut Vec<u8>) {
         run = !run || count == PACKET;
     }
 }
+// ANCHOR_END: pack
 
 #[cfg(test)]
 mod tests {

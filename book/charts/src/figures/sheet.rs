@@ -1,15 +1,14 @@
 //! A sheet to draw on: the one look of the book's line drawings.
 //!
 //! What is drawn has coordinates as in the course, y up; the sheet turns them into those of SVG. Every sheet is
-//! 480 units wide, and no letter smaller than 15: on a telephone that still reads. It has a light ground of its
-//! own, so that it looks the same on a light and on a dark page. Colours are Okabe and Ito's, which colour-blind
-//! people can tell apart.
+//! 480 units wide, and no letter smaller than 15: on a telephone that still reads. Colours are Okabe and Ito's, which
+//! colour-blind people can tell apart; on a dark page, each has another shade, and the ground is dark.
 
 use std::fmt;
 
 use common::Vec2;
 use svg::Document;
-use svg::node::element::{Circle, Line, Path, Polygon, Polyline, Rectangle, Text};
+use svg::node::element::{Circle, Line, Path, Polygon, Polyline, Rectangle, Style, Text};
 
 use super::Drawing;
 
@@ -36,7 +35,7 @@ pub(crate) const PAPER: Ink = "#fdfcf9";
 /// First choice for what is meant.
 pub(crate) const BLUE: Ink = "#0072b2";
 /// Second choice, and what is wrong.
-pub(crate) const RED: Ink = "#d55e00";
+pub(crate) const ORANGE: Ink = "#d55e00";
 /// Third choice, and what is right.
 pub(crate) const GREEN: Ink = "#007a5a";
 /// Fills behind black letters.
@@ -45,6 +44,37 @@ pub(crate) const SKY: Ink = "#9fd3f2";
 pub(crate) const AMBER: Ink = "#f2c14e";
 /// Fourth choice.
 pub(crate) const PURPLE: Ink = "#a8487f";
+/// Large areas behind everything.
+pub(crate) const PALE: Ink = "#f1eee5";
+/// Fills behind black letters.
+pub(crate) const ROSE: Ink = "#d9a3c2";
+/// Fills behind black letters.
+pub(crate) const MINT: Ink = "#a5d8c3";
+
+/// What becomes of the colours on a dark page.
+const DARK: [(Ink, Ink); 13] = [
+    (BLACK, "#e3e5e8"),
+    (GREY, "#a9afb7"),
+    (FAINT, "#3c434d"),
+    (PAPER, "#1d2127"),
+    (BLUE, "#63b3ec"),
+    (ORANGE, "#f59a4c"),
+    (GREEN, "#45c9a1"),
+    (SKY, "#1f5577"),
+    (AMBER, "#7a5c12"),
+    (PURPLE, "#e39ac6"),
+    (PALE, "#2a3038"),
+    (ROSE, "#6b3a57"),
+    (MINT, "#1f5c4a"),
+];
+
+/// The style of all sheets: it is stronger than the attributes that give each part its colour.
+fn dark() -> String {
+    let rule = |(light, dark): (Ink, Ink)| {
+        format!("[fill='{light}']{{fill:{dark}}}[stroke='{light}']{{stroke:{dark}}}")
+    };
+    format!("@media(prefers-color-scheme:dark){{{}}}", DARK.map(rule).concat())
+}
 
 /// A drawing, in which a rectangle of the plane can be seen.
 pub struct Sheet {
@@ -72,6 +102,7 @@ impl Sheet {
             .set("font-size", LETTER)
             .set("stroke-linejoin", "round")
             .set("stroke-linecap", "round")
+            .add(Style::new(dark()))
             .add(ground);
         Self { document, low, scale, height }
     }
@@ -79,6 +110,19 @@ impl Sheet {
     /// Width and height in SVG's units.
     pub(crate) fn size(&self) -> (u32, u32) {
         (WIDTH as u32, self.height as u32)
+    }
+
+    /// A colour that has no shade for a dark page.
+    #[cfg(test)]
+    pub(crate) fn without_dark_shade(&self) -> Option<String> {
+        let svg = self.to_string();
+        let document = roxmltree::Document::parse(&svg).ok()?;
+        let colors = document
+            .descendants()
+            .flat_map(|node| ["fill", "stroke"].into_iter().filter_map(move |name| node.attribute(name)));
+        let mut rest =
+            colors.filter(|color| *color != "none" && DARK.iter().all(|(light, _)| light != color));
+        rest.next().map(String::from)
     }
 
     /// Where on the sheet a point is, to a hundredth of a unit, so that files stay small.
