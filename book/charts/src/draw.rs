@@ -89,6 +89,8 @@ pub(crate) struct Dot {
     /// The throughput of the slowest build, of the one in the middle, of the fastest.
     pub(crate) speed: [f64; 3],
     pub(crate) frontier: bool,
+    /// Whether another measurement may say otherwise about that.
+    pub(crate) close: bool,
     /// Whether it does the job.
     pub(crate) does_it: bool,
 }
@@ -110,6 +112,7 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
         ("× does not do the job", of.dots.iter().any(fails)),
         ("I from the slowest build to the fastest", bars),
         ("bold, on the line of steps: nothing beats these", true),
+        ("≈ a close call: a tenth would decide otherwise", of.dots.iter().any(|dot| dot.close)),
     ];
     let legend: Vec<&str> = legend.iter().filter(|(_, shown)| *shown).map(|(text, _)| *text).collect();
     let words = Words { title: of.title.clone(), reading: legend.join(" · "), caption: of.caption.clone() };
@@ -126,11 +129,13 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
     obstacles.extend(steps.windows(2).map(|ends| Rect::around([ends[0], ends[1]], 2.0)));
 
     let hues = hues(of.dots.iter().map(|dot| dot.does_it));
+    let names: Vec<String> =
+        of.dots.iter().map(|dot| format!("{}{}", dot.name, if dot.close { " ≈" } else { "" })).collect();
     let mut anchors = Vec::new();
     for (n, dot) in of.dots.iter().enumerate() {
         let [worst, mean] = errors[n].map(|error| at(&card, error, rates[n][1]));
         let [low, high] = [0, 2].map(|end| at(&card, errors[n][0], rates[n][end]));
-        let opacity = if dot.frontier { 1.0 } else { 0.6 };
+        let opacity = if dot.frontier || dot.close { 1.0 } else { 0.6 };
         let (class, _) = stroke(hues[n]);
         if low[1] - high[1] > 12.0 {
             let cap = |[x, y]: [f64; 2]| [[x - 4.0, y], [x + 4.0, y]];
@@ -151,12 +156,12 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
         };
         card.mark(worst, mark, hues[n], opacity);
         obstacles.push(Rect::about(worst, 13.0, 13.0));
-        anchors.push((worst, card.label_size(&dot.name)));
+        anchors.push((worst, card.label_size(&names[n])));
     }
     for (n, label) in place(&anchors, &obstacles, card.plot).into_iter().enumerate() {
         let dot = &of.dots[n];
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, dot.name))?;
-        card.label(&dot.name, &label, hues[n], dot.frontier);
+        card.label(&names[n], &label, hues[n], dot.frontier);
     }
     Ok(card.finish())
 }

@@ -1,7 +1,7 @@
 //! What a chart shows, in one sentence: its title, from its figures as printed.
 
 use super::draw::Line;
-use super::frontier::margin;
+use super::frontier::is_faster;
 use super::table::{Chart, Point, Row, number};
 
 /// Of a table: which method to take for what its limit asks, and at what price.
@@ -12,8 +12,7 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
     let does_it: Vec<&Row> = rows.iter().filter(|row| row.does_the_job && error(row).is_finite()).collect();
     let fastest = |rows: &[&Row]| rows.iter().copied().max_by(|a, b| speed(a).total_cmp(&speed(b))).cloned();
     let good: Vec<&Row> = does_it.iter().copied().filter(|row| row.frontier && error(row) <= limit).collect();
-    let margin = margin(&rows.iter().map(Row::figure).collect::<Vec<_>>());
-    let faster = |a: &Row, b: &Row| speed(a) > margin * speed(b);
+    let faster = |a: &Row, b: &Row| is_faster(&a.figure(), &b.figure());
     let Some(quickest) = fastest(&does_it) else { return "No method does the job".into() };
     let off = |row: &Row| format!("{} {}", row.error_max, chart.error.unit);
     let Some(pick) = fastest(&good) else {

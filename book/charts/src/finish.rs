@@ -17,7 +17,7 @@ use super::card::LAYOUTS;
 use super::digits::three_digits;
 use super::draw::{Dot, Speed, speed};
 use super::finding::times;
-use super::frontier::{Figure, frontier};
+use super::frontier::{Figure, close, frontier};
 use super::measure::Work;
 use super::models::scene_model;
 use super::scene::{EYE, Subject, channels, draw, exact};
@@ -171,11 +171,8 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
             frontier_flip: false,
         });
     }
-    let best = |error: fn(&Row) -> &str| {
-        let figure = |row: &Row| Figure { error: number(error(row)), speed: rates(row), does_it: true };
-        frontier(&rows.iter().map(figure).collect::<Vec<_>>())
-    };
-    let (best_rms, best_flip) = (best(|row| &row.rms_object), best(|row| &row.flip_object));
+    let best_rms = frontier(&figures(&rows, |row| number(&row.rms_object)));
+    let best_flip = frontier(&figures(&rows, |row| number(&row.flip_object)));
     for (row, best) in rows.iter_mut().zip(best_rms.into_iter().zip(best_flip)) {
         (row.frontier_rms, row.frontier_flip) = best;
     }
@@ -190,6 +187,11 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
         "eye": EYE.to_array(),
     });
     run.write_facts("finish", facts)
+}
+
+/// What decides about each choice, by this error.
+fn figures(rows: &[Row], error: fn(&Row) -> f64) -> Vec<Figure> {
+    rows.iter().map(|row| Figure { error: error(row), speed: rates(row), does_it: true }).collect()
 }
 
 /// Pictures a second: in the slowest build, the one in the middle, the fastest.
@@ -221,12 +223,14 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     ];
     let mut pictures = Vec::new();
     for (name, error, get, best) in charts {
-        let dot = |row: &Row| Dot {
+        let close = close(&figures(&rows, get));
+        let dot = |(row, close): (&Row, &bool)| Dot {
             name: row.choice.clone(),
             worst: get(row),
             mean: get(row),
             speed: rates(row),
             frontier: best(row),
+            close: *close,
             does_it: true,
         };
         for layout in &LAYOUTS {
@@ -237,7 +241,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
                 none: "exact",
                 speed: "ms a picture".into(),
                 times: true,
-                dots: rows.iter().map(dot).collect(),
+                dots: rows.iter().zip(&close).map(dot).collect(),
                 caption: captions.clone(),
             };
             pictures.push((format!("{name}{}", layout.ending), speed(&chart, layout)?));

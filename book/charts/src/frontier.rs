@@ -11,22 +11,40 @@ pub(crate) struct Figure {
     pub(crate) does_it: bool,
 }
 
-/// How much faster a method of a table must be than another to count as faster: what is less another build would
-/// change. It is the widest spread over builds that one of the table's methods has, and at least a tenth.
-pub(crate) fn margin(figures: &[Figure]) -> f64 {
+/// By how much one method leads another: above 1 it counts as faster. It does where its slowest build is faster than the
+/// other's fastest, and the one in the middle by at least a tenth. Less than that is a tie.
+fn lead(a: &Figure, b: &Figure) -> f64 {
     const LEAST: f64 = 1.1;
-    let spreads =
-        figures.iter().filter(|figure| figure.does_it).map(|figure| figure.speed[2] / figure.speed[0]);
-    spreads.fold(LEAST, f64::max)
+    (a.speed[0] / b.speed[2]).min(a.speed[1] / b.speed[1] / LEAST)
+}
+
+/// Whether a method counts as faster than another.
+pub(crate) fn is_faster(a: &Figure, b: &Figure) -> bool {
+    lead(a, b) > 1.0
 }
 
 /// For each method whether none beats it. One does that is at least as accurate and faster, or more accurate and
 /// as fast: where speeds are a tie, the more accurate one has it, and equals share. What does not do the job, or
 /// fails, neither beats nor stands.
 pub(crate) fn frontier(figures: &[Figure]) -> Vec<bool> {
-    let margin = margin(figures);
+    frontier_from(1.0, figures)
+}
+
+/// For each method whether a tenth more or less of some speed would decide otherwise about it: another measurement may.
+pub(crate) fn close(figures: &[Figure]) -> Vec<bool> {
+    const TENTH: f64 = 1.1;
+    let [sooner, later] = [1.0 / TENTH, TENTH].map(|lead| frontier_from(lead, figures));
+    frontier(figures)
+        .into_iter()
+        .zip(sooner.into_iter().zip(later))
+        .map(|(is, (a, b))| is != a || is != b)
+        .collect()
+}
+
+/// The frontier where a lead above `least` counts as faster.
+fn frontier_from(least: f64, figures: &[Figure]) -> Vec<bool> {
     let stands = |figure: &Figure| figure.does_it && figure.error.is_finite();
-    let faster = |a: &Figure, b: &Figure| a.speed[1] > margin * b.speed[1];
+    let faster = |a: &Figure, b: &Figure| lead(a, b) > least;
     let beats = |a: &Figure, b: &Figure| {
         stands(a) && (a.error <= b.error && faster(a, b) || a.error < b.error && !faster(b, a))
     };
@@ -53,9 +71,20 @@ mod tests {
     fn of_two_that_are_as_fast_the_more_accurate_one_stands() {
         assert_eq!(frontier(&[figure(1.0, 5.2), figure(0.5, 5.0)]), [false, true]);
         assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0)]), [true, true]);
-        // Where one method's builds differ by so much, less decides nothing between others.
-        let wide = Figure { speed: [1.0, 1.2, 1.4], ..figure(9.0, 1.2) };
-        assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0), wide]), [false, true, false]);
+        // What is faster in the middle, but not in each build, is no faster.
+        let wide = Figure { speed: [4.0, 6.0, 6.1], ..figure(1.0, 6.0) };
+        assert_eq!(frontier(&[wide, figure(0.5, 5.0)]), [false, true]);
+        // Whose builds differ decides nothing between others.
+        let slow = Figure { speed: [1.0, 1.2, 1.9], ..figure(9.0, 1.2) };
+        assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0), slow]), [true, true, false]);
+    }
+
+    #[test]
+    fn what_a_tenth_would_decide_otherwise_is_close() {
+        let close = |speed: f64| close(&[figure(1.0, speed), figure(1.0, 5.0)]);
+        assert_eq!([4.9, 5.4, 5.9, 6.2].map(|speed| close(speed)[1]), [false, true, true, false]);
+        // The faster of equals stands either way.
+        assert!(!close(5.6)[0]);
     }
 
     #[test]

@@ -94,7 +94,10 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     };
     let enough = |shader: &str, error: fn(&Row) -> &str| {
         let first = rows.iter().find(|row| row.shader == shader && number(error(row)) <= 0.5);
-        first.map_or("more than all of these".into(), |row| row.triangles.to_string())
+        first.map_or_else(
+            || format!("more than {}", rows.last().map_or(0, |row| row.triangles)),
+            |row| row.triangles.to_string(),
+        )
     };
     let outline: fn(&Row) -> &str = |row| &row.outline_mean;
     let shading: fn(&Row) -> &str = |row| &row.shading_mean;

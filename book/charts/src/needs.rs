@@ -242,11 +242,11 @@ fn outline_chart<'a>(rows: &[Row], caption: &str) -> Lines<'a> {
     let enough: Vec<String> = sides
         .iter()
         .filter_map(|side| mine(*side).find(|row| row.rule))
-        .map(|row| format!("{} at {}×{1}", row.segments, row.side))
+        .map(|row| format!("{} at {}×{1} px", row.segments, row.side))
         .collect();
     Lines {
         name: "needs-outline",
-        title: format!("A round outline takes {} segments px; more are not seen", enough.join(", ")),
+        title: format!("A round outline takes so many segments: {}; more are not seen", enough.join(", ")),
         reading: "◯ the first with N ≥ π / acos(1 − e/R) segments, for e = ½ px: more only take time.".into(),
         across: "ms a picture →".into(),
         falling: false,

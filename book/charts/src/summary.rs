@@ -6,6 +6,7 @@ use std::path::Path;
 use anyhow::Context;
 use common::file::write_whole;
 
+use super::frontier::close;
 use super::table::{Chart, Row, number, read_rows};
 
 /// Writes the page and the short version beside the charts, from their CSV files there.
@@ -33,10 +34,12 @@ pub(crate) fn pages(charts: &[&Chart], folder: &Path) -> anyhow::Result<[(&'stat
     for chart in charts {
         let rows = read_rows(&folder.join(format!("{}.csv", chart.name)))?;
         writeln!(page, "| **{}** | {} | | | | |", chart.job, chart.error.unit)?;
-        for row in &rows {
+        let close = close(&rows.iter().map(Row::figure).collect::<Vec<_>>());
+        for (row, close) in rows.iter().zip(close) {
             let advice =
                 chart.advice.iter().find(|(name, _)| *name == row.method).map_or("—", |(_, when)| when);
             let name = if row.frontier { format!("**{}**", row.method) } else { row.method.clone() };
+            let name = if close { format!("{name} ≈") } else { name };
             let advice = if row.does_the_job { advice } else { "does another job" };
             let [worst, mean] = [
                 readable(&row.error_max, row.is_exact(chart)),
@@ -57,8 +60,9 @@ pub(crate) fn pages(charts: &[&Chart], folder: &Path) -> anyhow::Result<[(&'stat
     }
     page.push_str(
         "\nTime is for the same work, with that of the fastest method that does the job as the unit: in builds for any \
-         processor and in builds for x86-64-v3. In bold: the methods that no other one beats; what differs by less than \
-         another build of the same source is a tie. A worst error is the largest one of a sample, so a lower bound; \
+         processor and in builds for x86-64-v3. In bold: the methods that no other one beats. One is faster \
+         if its slowest build is faster than the other's fastest, and its middle one by at least a tenth; less is a tie. ≈ is \
+         a close call, which a tenth would decide otherwise. A worst error is the largest one of a sample, so a lower bound; \
          *exact* is what is proved, *none found* what a sample showed.\n",
     );
     if !orders.is_empty() {

@@ -84,7 +84,7 @@ impl<F> Judge<F> {
                 }
                 // That of an earlier run would mislead.
                 None if path.exists() => {
-                    std::fs::remove_file(&path).context("cannot remove an old picture")?
+                    std::fs::remove_file(&path).context("cannot remove an old picture")?;
                 }
                 None => (),
             }

@@ -258,7 +258,7 @@ mod tests {
             |a, b, image, color| {
                 let middle = a + b;
                 lines::bresenham(a, b, image.bounds(), |x, y, _| {
-                    image.set(middle.x - x, middle.y - y, color)
+                    image.set(middle.x - x, middle.y - y, color);
                 });
             },
             "backward",

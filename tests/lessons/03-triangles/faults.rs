@@ -16,7 +16,7 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
             Triangles {
                 fill: |c, bounds, visit| {
                     if turn(c) > 0.0 {
-                        right(c, bounds, visit)
+                        right(c, bounds, visit);
                     }
                 },
                 ..RIGHT
@@ -24,7 +24,7 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
             Triangles {
                 fill: |c, bounds, visit| {
                     if turn(c) > 0.0 {
-                        ask(c, bounds, visit, CENTER, not_negative)
+                        ask(c, bounds, visit, CENTER, not_negative);
                     }
                 },
                 ..RIGHT
@@ -89,7 +89,7 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
             fill: |c, bounds, visit| {
                 let turned = turn(c) < 0.0;
                 triangles::fill(c, bounds, |x, y, w| {
-                    visit(x, y, if turned { Vec3::new(w.x, w.z, w.y) } else { w })
+                    visit(x, y, if turned { Vec3::new(w.x, w.z, w.y) } else { w });
                 });
             },
             ..RIGHT
@@ -161,7 +161,7 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
             // Right and bottom, left and bottom, right and top.
             Triangles {
                 fill: |c, bounds, visit| {
-                    ask(c, bounds, visit, CENTER, |w, s, turn| owned(w, s.map(|s| s * -turn)))
+                    ask(c, bounds, visit, CENTER, |w, s, turn| owned(w, s.map(|s| s * -turn)));
                 },
                 ..RIGHT
             },
@@ -268,7 +268,7 @@ fn right(corners: [Vec2; 3], bounds: Bounds, visit: Visit) {
 
 fn turned(corners: [Vec2; 3], bounds: Bounds, visit: Visit, order: [usize; 3]) {
     triangles::fill(corners, bounds, |x, y, weights| {
-        visit(x, y, Vec3::from_array(order.map(|n| weights[n])))
+        visit(x, y, Vec3::from_array(order.map(|n| weights[n])));
     });
 }
 

@@ -204,6 +204,8 @@ pub(crate) const FAULTS: &[Fault<Zbuffer>] = &[
 
 type Depths<'a> = &'a mut DepthBuffer<f32>;
 type Visit<'a> = &'a mut dyn FnMut(i32, i32, Vec3);
+/// A loop of corners, depths, how a depth is stored, and what is done with the pixels that are seen.
+type Fill = fn([Vec3; 3], Depths, fn(f32) -> f32, Visit);
 
 /// Each pixel of a triangle, with its weights and depth.
 fn each(corners: [Vec3; 3], depths: Depths, mut pixel: impl FnMut(Depths, i32, i32, Vec3, f32)) {
@@ -232,11 +234,7 @@ fn not_farther(corners: [Vec3; 3], depths: Depths, store: fn(f32) -> f32, visit:
     });
 }
 
-fn nearest(
-    surfaces: &[Surface],
-    image: &mut Image,
-    fill: fn([Vec3; 3], Depths, fn(f32) -> f32, Visit),
-) -> DepthBuffer<f32> {
+fn nearest(surfaces: &[Surface], image: &mut Image, fill: Fill) -> DepthBuffer<f32> {
     let mut depths = DepthBuffer::new(image, f32::NEG_INFINITY);
     for surface in surfaces {
         fill(surface.corners, &mut depths, |depth| depth, &mut |x, y, _| image.set(x, y, surface.color));

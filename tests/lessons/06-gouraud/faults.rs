@@ -90,42 +90,24 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
             }),
             with_draw(|scene, image, place| {
                 let mut over = false;
-                drawn(
-                    scene,
-                    image,
-                    place,
-                    |i, w| i.dot(w),
-                    |corners, left_out| {
-                        over |= corners.contains(&None);
-                        *left_out += usize::from(corners.contains(&None));
-                        !over
-                    },
-                )
+                drawn(scene, image, place, Vec3::dot, |corners, left_out| {
+                    over |= corners.contains(&None);
+                    *left_out += usize::from(corners.contains(&None));
+                    !over
+                })
             }),
             with_draw(|scene, image, place| Drawn { left_out: 0, ..gouraud::gouraud(scene, image, place) }),
             with_draw(|scene, image, place| {
-                drawn(
-                    scene,
-                    image,
-                    place,
-                    |i, w| i.dot(w),
-                    |corners, left_out| {
-                        *left_out += corners.iter().filter(|corner| corner.is_none()).count();
-                        !corners.contains(&None)
-                    },
-                )
+                drawn(scene, image, place, Vec3::dot, |corners, left_out| {
+                    *left_out += corners.iter().filter(|corner| corner.is_none()).count();
+                    !corners.contains(&None)
+                })
             }),
             with_draw(|scene, image, place| {
-                drawn(
-                    scene,
-                    image,
-                    place,
-                    |i, w| i.dot(w),
-                    |corners, left_out| {
-                        *left_out += usize::from(!corners.contains(&None));
-                        !corners.contains(&None)
-                    },
-                )
+                drawn(scene, image, place, Vec3::dot, |corners, left_out| {
+                    *left_out += usize::from(!corners.contains(&None));
+                    !corners.contains(&None)
+                })
             }),
         ],
     },
@@ -214,17 +196,11 @@ fn facing(scene: &Scene, image: &mut Image, place: Place, faces: fn(Vec3, f32) -
             faces(gouraud::intensities(normals, scene.light), flat)
         })
         .collect();
-    drawn(
-        scene,
-        image,
-        place,
-        |i, w| i.dot(w),
-        |corners, left_out| {
-            n += 1;
-            *left_out += usize::from(corners.contains(&None));
-            facing[n - 1] && !corners.contains(&None)
-        },
-    )
+    drawn(scene, image, place, Vec3::dot, |corners, left_out| {
+        n += 1;
+        *left_out += usize::from(corners.contains(&None));
+        facing[n - 1] && !corners.contains(&None)
+    })
 }
 
 #[cfg(test)]

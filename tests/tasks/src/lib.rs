@@ -74,6 +74,9 @@ impl Precision {
 /// What is drawn, in pixels, with its depth: the two ends of a segment, or the corners of a triangle.
 pub type Shape = Vec<Vec3>;
 
+/// What comes of a set of functions.
+type With<F, T> = Box<dyn Fn(&F) -> T>;
+
 /// Calls of a student's functions on one input.
 pub struct Task<F> {
     /// The input, for the reader: a call, or a few words.
@@ -81,9 +84,9 @@ pub struct Task<F> {
     /// The same as Rust, for a test in the student's crate. After it, `got` is what is judged.
     pub code: String,
     /// Makes the calls.
-    pub work: Box<dyn Fn(&F) -> Raw>,
+    pub work: With<F, Raw>,
     /// What a picture consists of, in the order in which it is drawn. These functions place it.
-    pub shapes: Box<dyn Fn(&F) -> Vec<Shape>>,
+    pub shapes: With<F, Vec<Shape>>,
 }
 
 impl<F> Task<F> {
