@@ -95,9 +95,9 @@ function measure() {
     for (const code of main.querySelectorAll("pre > code")) {
         if (code.scrollWidth > code.clientWidth + 1) found.push(`code is cut: ${code.textContent.trim().slice(0, 60)}`);
     }
-    for (const pre of main.querySelectorAll(".quote > pre")) {
-        if (pre.offsetWidth < pre.parentElement.clientWidth - 1) {
-            found.push(`a listing is squeezed: ${pre.textContent.trim().slice(0, 60)}`);
+    for (const code of main.querySelectorAll(".quote > pre > code")) {
+        if (code.offsetWidth < code.parentElement.clientWidth - 1) {
+            found.push(`a listing is squeezed: ${code.textContent.trim().slice(0, 60)}`);
         }
     }
     for (const element of main.querySelectorAll(".formula, .table-wrapper, figure > a")) {
