@@ -80,19 +80,22 @@ impl Table {
         ];
         for row in &self.rows {
             let key = row.first().context("an empty row")?;
-            let cells: anyhow::Result<Vec<String>> =
-                columns.iter().map(|column| Ok(shown(self.cell(&[key], column.0)?, column.0))).collect();
+            let none = if charts::is_exact(&self.name, key) { "exact" } else { "none found" };
+            let cells: anyhow::Result<Vec<String>> = columns
+                .iter()
+                .map(|column| Ok(shown(self.cell(&[key], column.0)?, column.0, none)))
+                .collect();
             lines.push(format!("| {} |", cells?.join(" | ")));
         }
         Ok(lines.join("\n"))
     }
 }
 
-/// A cell of a table as readers like it.
-fn shown(cell: &str, column: &str) -> String {
+/// A cell of a table as readers like it; no error is told as `none`.
+fn shown(cell: &str, column: &str, none: &str) -> String {
     match cell {
         "inf" => "fails".into(),
-        "0" if column.starts_with("error") => "exact".into(),
+        "0" if column.starts_with("error") => none.into(),
         _ => spelled(cell),
     }
 }

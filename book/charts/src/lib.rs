@@ -271,6 +271,16 @@ pub fn write_summary() -> anyhow::Result<()> {
     summary::write_readme(folder, Path::new(README))
 }
 
+/// Whether an error of 0 in that table, which may be one that comes with a chart, is more than what a sample showed:
+/// proved, or measured over all there is.
+#[must_use]
+pub fn is_exact(table: &str, method: &str) -> bool {
+    let charts = all_charts();
+    let of_it = charts.iter().filter(|chart| table.starts_with(chart.name));
+    let chart = of_it.max_by_key(|chart| chart.name.len());
+    chart.is_some_and(|chart| chart.exhaustive || chart.proved.contains(&method))
+}
+
 /// The folder for the charts. Quick ones are not to be mistaken for the book's.
 fn folder(flags: &Flags) -> anyhow::Result<PathBuf> {
     let committed = Path::new(COMMITTED);
