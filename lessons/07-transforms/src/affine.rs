@@ -55,7 +55,7 @@ pub fn rotate_z(degrees: f32) -> Mat3 {
 }
 
 // ANCHOR: euler
-/// Turns by Euler angles in degrees: about z first, then x, then y (assignment, *Version 0*).
+/// Turns by Euler angles in degrees: about z first, then x, then y.
 #[must_use]
 pub fn euler(degrees: Vec3) -> Mat3 {
     rotate_y(degrees.y) * rotate_x(degrees.x) * rotate_z(degrees.z)

@@ -244,7 +244,7 @@ fn points_move_and_vectors_do_not() {
     assert_eq!((m * Vec3::X.extend(0.0)).xyz(), Vec3::X);
 }
 
-/// Moved and then turned is not turned and then moved; the assignment's order scales first and moves last.
+/// Moved and then turned is not turned and then moved; the usual order scales first and moves last.
 #[test]
 fn the_order_of_products_matters() {
     let (moved, turned) = (translate(Vec3::X), Mat4::from_mat3(rotate_z(90.0)));
