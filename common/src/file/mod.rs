@@ -4,7 +4,7 @@
 //! corner as the origin; all of these become 8-bit grey, RGB or RGBA. PNG is written in 8 bits; 16-bit channels
 //! are rounded to 8 when read, and a palette becomes RGB.
 //!
-//! TGA is ours, since it is small and the course's own format: each of its fields can be read in [`tga`]. The `image`
+//! TGA is ours, since it is small and the course's own format: each of its fields can be read in `file/tga.rs`. The `image`
 //! crate is the second reader that tests hold it against. In every lesson's program it would be a sixth of the wait for
 //! the compiler, since colour profiles come with it that no picture here has.
 

@@ -11,7 +11,7 @@
 //! | [`turn`] | rotations about an axis, in `f64` |
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
 //! | [`vertex`] | the pixel of a model's vertex, in whole numbers |
-//! | [`render`] | a lit scene under a camera, in `f64`, with as many samples a pixel as wanted |
+//! | [`supersampled`] | a lit scene under a camera, in `f64`, with as many samples a pixel as wanted |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
