@@ -5,7 +5,9 @@ use std::path::Path;
 use anyhow::Context;
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use gouraud::corner_normals;
-use perspective::{DEPTHS, DIVISIONS, FLOOR, METHODS, Planes, frustum, perspective, perspective_weights, view};
+use perspective::{
+    DEPTHS, DIVISIONS, FLOOR, METHODS, Planes, frustum, perspective, perspective_weights, view,
+};
 use shaders::Uniforms;
 use textures::Wrap;
 
@@ -132,7 +134,14 @@ impl Subject {
 
     fn uniforms(&self, light: Vec3, to_clip: Mat4) -> Uniforms<'_> {
         let texture = Some(&self.texture);
-        Uniforms { normals: &self.normals, texture, wrap: self.wrap, light, to_clip, ..Uniforms::new(&self.model) }
+        Uniforms {
+            normals: &self.normals,
+            texture,
+            wrap: self.wrap,
+            light,
+            to_clip,
+            ..Uniforms::new(&self.model)
+        }
     }
 }
 
@@ -316,11 +325,9 @@ fn near() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.9, -0.8), (14.6, up + 0.6));
     sheet.axes((0.0, 0.0), (0.0, 0.0), (10.5, up + 0.3), 1.5);
     sheet.dashed((0.0, up), (10.4, up), FAINT, 1.6);
-    for (near, ink, name, y) in [
-        (1.0_f32, GREEN, "n = 1", 4.6),
-        (0.1, BLUE, "n = 0.1", 5.35),
-        (0.01, ORANGE, "n = 0.01", 6.1),
-    ] {
+    for (near, ink, name, y) in
+        [(1.0_f32, GREEN, "n = 1", 4.6), (0.1, BLUE, "n = 0.1", 5.35), (0.01, ORANGE, "n = 0.01", 6.1)]
+    {
         let m = perspective(45.0, 1.0, near, f32::INFINITY)?;
         let points = (0..=400).map(|n| near + (10.0 - near) * (n as f32 / 400.0).powi(3));
         sheet.polyline(points.map(|z| (z, up * (depth_at(m, z) / 2.0 + 0.5))), ink, 2.8);
@@ -377,7 +384,10 @@ fn quad(corners: [Vec3; 4], [u, v]: [f32; 2]) -> anyhow::Result<Model> {
 
 fn runs() -> anyhow::Result<Drawing> {
     let at = Vec3::new;
-    let wall = quad([at(-0.62, -0.5, -0.7), at(4.2, -0.5, -4.6), at(4.2, 0.5, -4.6), at(-0.62, 0.5, -0.7)], [6.0, 1.0])?;
+    let wall = quad(
+        [at(-0.62, -0.5, -0.7), at(4.2, -0.5, -4.6), at(4.2, 0.5, -4.6), at(-0.62, 0.5, -0.7)],
+        [6.0, 1.0],
+    )?;
     let subjects = [Subject::new(wall, chequered(4, 4, TILES), Wrap::Repeat)];
     const SIZE: [u16; 2] = [150, 58];
     let [width, height] = SIZE.map(f32::from);
@@ -429,7 +439,12 @@ fn levels() -> anyhow::Result<Drawing> {
         let y = -1.3 * row as f32;
         sheet.line((x(n), y), (x(f), y), FAINT, 1.6);
         for &distance in distances {
-            sheet.line((x(distance), y - 0.2), (x(distance), y + 0.2), if row == 0 { ORANGE } else { BLUE }, 2.6);
+            sheet.line(
+                (x(distance), y - 0.2),
+                (x(distance), y + 0.2),
+                if row == 0 { ORANGE } else { BLUE },
+                2.6,
+            );
         }
         sheet.text_right_of((0.0, y + 0.5), name, GREY);
     }
@@ -446,12 +461,18 @@ fn gaps() -> anyhow::Result<Drawing> {
     sheet.axes((0.0, -8.0), (0.0, 0.0), (6.2, 8.3), 1.5);
     for power in [-8, -6, -4, -2, 0] {
         sheet.dashed((0.0, power as f32), (6.1, power as f32), FAINT, 1.2);
-        sheet.text_left_of((-0.12, power as f32), ["10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "1"][(power as usize).wrapping_add(8) / 2], BLACK);
+        sheet.text_left_of(
+            (-0.12, power as f32),
+            ["10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "1"][(power as usize).wrapping_add(8) / 2],
+            BLACK,
+        );
     }
     for (power, name) in [(0, "n"), (2, "100 n"), (4, "10⁴ n"), (6, "10⁶ n")] {
         sheet.text((power as f32, -8.45), name, BLACK);
     }
-    for (row, (ink, y)) in DEPTHS.iter().zip([(ORANGE, 0.0), (AMBER, -1.1), (BLUE, -7.35), (PURPLE, -5.75), (GREEN, -6.6)]) {
+    for (row, (ink, y)) in
+        DEPTHS.iter().zip([(ORANGE, 0.0), (AMBER, -1.1), (BLUE, -7.35), (PURPLE, -5.75), (GREEN, -6.6)])
+    {
         let share = |power: f64| {
             let distance = 10f64.powf(power);
             let range = (row.run.alike)(planes, distance);
@@ -468,7 +489,8 @@ fn gaps() -> anyhow::Result<Drawing> {
 /// A floor in one colour at a height of −1, brought nearer to the eye by a share of its distance.
 fn plain_floor(nearer: f32, color: Color) -> anyhow::Result<Subject> {
     let at = |x: f32, z: f32| Vec3::new(x, -1.0, z) * (1.0 - nearer);
-    let model = quad([at(-900.0, -1.0), at(900.0, -1.0), at(900.0, -1200.0), at(-900.0, -1200.0)], [1.0, 1.0])?;
+    let model =
+        quad([at(-900.0, -1.0), at(900.0, -1.0), at(900.0, -1200.0), at(-900.0, -1200.0)], [1.0, 1.0])?;
     Ok(Subject::new(model, painted(1, 1, |_, _| color), Wrap::Clamp))
 }
 
@@ -480,7 +502,8 @@ fn fighting() -> anyhow::Result<Drawing> {
     const SIZE: [u16; 2] = [176, 240];
     let [width, height] = SIZE.map(f32::from);
     // The horizon near the upper border of the picture.
-    let m = frustum(-0.0125, 0.0125, -0.03, 0.03 * (2.0 * 0.57 * width / height - 0.8), planes.near, planes.far)?;
+    let m =
+        frustum(-0.0125, 0.0125, -0.03, 0.03 * (2.0 * 0.57 * width / height - 0.8), planes.near, planes.far)?;
     all_beside(DEPTHS.iter().map(|row| {
         let mut image = Image::new(SIZE[0], SIZE[1], Format::Rgb);
         draw(("per-pixel", row.name), &subjects, Vec3::Z, m, planes, &mut image)?;
@@ -494,7 +517,8 @@ const NEARER: f32 = 1.0 / (1 << 14) as f32;
 fn behind() -> anyhow::Result<Drawing> {
     let subjects = [Subject::head()?, Subject::floor()?];
     let eye = Vec3::new(0.7, -0.55, 1.9);
-    let to_clip = perspective(70.0, 1.6, PLANES.near, PLANES.far)? * looking(eye, Vec3::new(0.0, -0.35, 0.0))?;
+    let to_clip =
+        perspective(70.0, 1.6, PLANES.near, PLANES.far)? * looking(eye, Vec3::new(0.0, -0.35, 0.0))?;
     let mut image = Image::new(1440, 900, Format::Rgb);
     draw(("per-pixel", "z-f32"), &subjects, light(), to_clip, PLANES, &mut image)?;
     Ok(Drawing::Pixels(image.scale(720, 450), 1))

@@ -63,7 +63,9 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
         cause: "the 2 is missing: the sides of the picture are 2 apart after the division, and 2n / (r - l) apart before",
         hint: None,
         versions: &[
-            matrix!(|m, _l, _r, _b, _t, _n, _f| (m.x_axis.x, m.y_axis.y) = (m.x_axis.x / 2.0, m.y_axis.y / 2.0)),
+            matrix!(
+                |m, _l, _r, _b, _t, _n, _f| (m.x_axis.x, m.y_axis.y) = (m.x_axis.x / 2.0, m.y_axis.y / 2.0)
+            ),
             matrix!(|m, _l, _r, _b, _t, _n, _f| m.x_axis.x /= 2.0),
             matrix!(|m, _l, _r, _b, _t, _n, _f| m.y_axis.y /= 2.0),
         ],
@@ -71,8 +73,9 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
     Fault {
         cause: "n is missing in the first two rows: the rectangle is on the near plane, at the depth n",
         hint: None,
-        versions: &[matrix!(|m, _l, _r, _b, _t, n, _f| (m.x_axis.x, m.y_axis.y) =
-            (m.x_axis.x / n, m.y_axis.y / n))],
+        versions: &[matrix!(
+            |m, _l, _r, _b, _t, n, _f| (m.x_axis.x, m.y_axis.y) = (m.x_axis.x / n, m.y_axis.y / n)
+        )],
     },
     Fault {
         cause: "the view is always through the middle of the picture: (r + l) / (r - l) and (t + b) / (t - b) are missing",
@@ -113,7 +116,9 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
     Fault {
         cause: "near and far are swapped: the near plane becomes z = -w, the far one z = w",
         hint: Some(3),
-        versions: &[matrix!(|m, _l, _r, _b, _t, _n, _f| (m.z_axis.z, m.w_axis.z) = (-m.z_axis.z, -m.w_axis.z))],
+        versions: &[matrix!(
+            |m, _l, _r, _b, _t, _n, _f| (m.z_axis.z, m.w_axis.z) = (-m.z_axis.z, -m.w_axis.z)
+        )],
     },
     Fault {
         cause: "a sign in the row of depths is wrong: put z = -n and z = -f in, and see whether -n and f come out",
@@ -151,9 +156,7 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
                 ..RIGHT
             },
             Perspective {
-                frustum: |l, r, b, t, n, f| {
-                    (RIGHT.frustum)(l, r, b, t, n, f).filter(|_| f.is_finite())
-                },
+                frustum: |l, r, b, t, n, f| (RIGHT.frustum)(l, r, b, t, n, f).filter(|_| f.is_finite()),
                 ..RIGHT
             },
         ],
@@ -254,8 +257,8 @@ mod tests {
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {
-        let frustum = |frustum, check, words| JUDGE.recognises(&Perspective { frustum, ..RIGHT }, check, words);
-        let rows = |rows: [[f32; 4]; 4]| Mat4::from_cols_array_2d(&rows).transpose();
+        let frustum =
+            |frustum, check, words| JUDGE.recognises(&Perspective { frustum, ..RIGHT }, check, words);
         frustum(
             |l, r, b, t, n, f| {
                 // As one of the hand-written drafts of the derivation has it.
@@ -268,7 +271,6 @@ mod tests {
             "frustum",
             "a factor is missing",
         );
-        let _ = rows;
         frustum(
             |l, r, b, t, n, f| Some((RIGHT.frustum)(l, r, b, t, n, f)?.transpose()),
             "frustum",

@@ -56,13 +56,23 @@ pub const MISSION: Mission<Perspective> = Mission {
                     numbers[at] = value;
                     numbers
                 };
-                let mut all =
-                    vec![with(4, 0.0), with(4, -n), with(5, n), with(5, n / 2.0), with(5, -f), with(1, l), with(3, b)];
+                let mut all = vec![
+                    with(4, 0.0),
+                    with(4, -n),
+                    with(5, n),
+                    with(5, n / 2.0),
+                    with(5, -f),
+                    with(1, l),
+                    with(3, b),
+                ];
                 all.extend([0, 2, 4, 5].map(|at| with(at, f32::NAN)));
                 all.extend([0, 1, 2, 3, 4].map(|at| with(at, f32::INFINITY)));
                 // 2n/(r − l) is no f32.
                 all.push([-1e-20, 1e-20, -1.0, 1.0, 1e20, 1e21]);
-                all.extend([with(5, f32::NEG_INFINITY), [-1.0, 1.0, -1.0, 1.0, f32::INFINITY, f32::INFINITY]]);
+                all.extend([
+                    with(5, f32::NEG_INFINITY),
+                    [-1.0, 1.0, -1.0, 1.0, f32::INFINITY, f32::INFINITY],
+                ]);
                 all.into_iter().map(frustum).collect()
             },
             precision: Precision::EXACT,
@@ -149,7 +159,10 @@ fn ray(rng: &mut Rng) -> Task<Perspective> {
     let depths = depths(rng);
     let corners = depths.to_array().map(|z| Vec3::new(signed(rng) * z, signed(rng) * z, -z));
     let in_picture = in_picture(rng);
-    let input = format!("where the ray meets the triangle {}, with the weights {in_picture} in the picture", listed(&corners));
+    let input = format!(
+        "where the ray meets the triangle {}, with the weights {in_picture} in the picture",
+        listed(&corners)
+    );
     let code = format!(
         "let corners = {};\n\
          let inverse_w = Vec3::from_array(corners.map(|corner| -1.0 / corner.z));\n\
@@ -192,13 +205,11 @@ fn askew_room(rng: &mut Rng) -> Numbers {
 pub fn room() -> [Triangle; 4] {
     let halves = |[a, b, c, d]: [Vec3; 4], side: f32| {
         let [p, q, r, s] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y].map(|corner| corner * side);
-        [
-            Triangle { corners: [a, b, c], uvs: [p, q, r] },
-            Triangle { corners: [a, c, d], uvs: [p, r, s] },
-        ]
+        [Triangle { corners: [a, b, c], uvs: [p, q, r] }, Triangle { corners: [a, c, d], uvs: [p, r, s] }]
     };
     let at = |x: f32, y: f32, z: f32| Vec3::new(x, y, z);
-    let [a, b] = halves([at(-2.0, 0.0, 1.6), at(2.0, 0.0, 1.6), at(2.0, 0.0, -4.4), at(-2.0, 0.0, -4.4)], 3.0);
+    let [a, b] =
+        halves([at(-2.0, 0.0, 1.6), at(2.0, 0.0, 1.6), at(2.0, 0.0, -4.4), at(-2.0, 0.0, -4.4)], 3.0);
     let [c, d] = halves([at(2.0, 0.0, 1.0), at(2.0, 0.0, -4.4), at(2.0, 2.0, -4.4), at(2.0, 2.0, 1.0)], 2.0);
     [a, b, c, d]
 }
