@@ -273,7 +273,7 @@ fn depth_work(size: usize, _: Effort) -> Vec<Work> {
 }
 
 /// The length of the distances that are not told apart from one, as a share of it; of what lies between the planes.
-fn share(keep: &Keep, planes: Planes, distance: f64) -> f64 {
+pub(crate) fn gap(keep: &Keep, planes: Planes, distance: f64) -> f64 {
     let alike = (keep.alike)(planes, distance);
     let (near, far) = (f64::from(planes.near), f64::from(planes.far));
     (alike.end().min(far) - alike.start().max(near)) / distance
@@ -292,8 +292,8 @@ fn depth_errors(effort: Effort) -> Vec<Errors> {
     for _ in 0..effort.samples(20_000) {
         let distance = distance(&mut random, planes);
         for (method, errors) in DEPTHS.iter().zip(&mut errors) {
-            let share = share(&method.run, planes, distance);
-            errors.add(share, share, &[]);
+            let gap = gap(&method.run, planes, distance);
+            errors.add(gap, gap, &[]);
         }
     }
     errors
@@ -306,7 +306,7 @@ fn depth_stability(effort: Effort) -> Vec<Series> {
         let some = (0..effort.samples(4000)).map(|_| distance(&mut random, planes));
         // The far plane is where most of them are worst.
         let all = some.chain([f64::from(planes.far)]);
-        all.map(|distance| share(&method.run, planes, distance)).fold(0.0, f64::max)
+        all.map(|distance| gap(&method.run, planes, distance)).fold(0.0, f64::max)
     };
     let ratios = (2..=16).map(|half| 10f64.powf(f64::from(half) / 2.0));
     DEPTHS.iter().map(|method| ratios.clone().map(|ratio| (ratio, worst(method, ratio))).collect()).collect()

@@ -15,6 +15,7 @@ use crate::figures::picture::{all_beside, canvas, chequered, method, model, pain
 use crate::figures::shape::parsed;
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, ORANGE, PURPLE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
+use crate::lessons::perspective::charts::gap;
 use crate::lessons::transforms::figures::TILES;
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -23,6 +24,12 @@ pub(crate) const FIGURES: &[Figure] = &[
         "A head on a chequered floor that reaches to the horizon, twice. On the left the floor's squares are bent and \
          torn along the triangles' sides; on the right they are straight.",
         head,
+    ),
+    Figure::new(
+        "perspective-floor",
+        "The chequered floor of two triangles from chapter 9, twice: on the left bent along a diagonal, on the right \
+         straight.",
+        floor,
     ),
     Figure::new(
         "perspective-spaces",
@@ -56,8 +63,8 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "perspective-near",
-        "Four curves of the depth in the window against the distance, for near planes at 1, 0.1, 0.01 and 0.001. The nearer \
-         the plane, the sooner the curve is close to 1.",
+        "Three curves of the depth in the window against the distance, for near planes at 1, 0.1 and 0.01. The nearer the \
+         plane, the sooner the curve is close to 1.",
         near,
     ),
     Figure::new(
@@ -179,6 +186,19 @@ fn head() -> anyhow::Result<Drawing> {
     }))
 }
 
+/// Chapter 9's floor of two triangles, as wide as deep, from the depth 1 to 3, filling the picture's width.
+fn floor() -> anyhow::Result<Drawing> {
+    let at = |x: f32, z: f32| Vec3::new(x, -1.0, z);
+    let model = quad([at(-1.0, -1.0), at(1.0, -1.0), at(1.0, -3.0), at(-1.0, -3.0)], [1.0, 1.0])?;
+    let subjects = [Subject::new(model, chequered(8, 8, TILES), Wrap::Clamp)];
+    let to_clip = frustum(-0.102, 0.102, -0.102, -0.032, PLANES.near, PLANES.far)?;
+    all_beside(["affine", "per-pixel"].map(|way| {
+        let mut image = Image::new(448, 154, Format::Rgb);
+        draw((way, "z-f32"), &subjects, Vec3::Z, to_clip, PLANES, &mut image)?;
+        Ok(image)
+    }))
+}
+
 fn spaces() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-2.6, -8.9), (9.6, 0.7));
     let at = Vec2::new;
@@ -226,14 +246,15 @@ fn of_frustum() -> anyhow::Result<Drawing> {
     sheet.dot(image, ORANGE);
     sheet.dot(point, ORANGE);
     sheet.dot((0.0, 0.0), BLACK);
-    sheet.text_left_of(image + at(-0.12, 0.22), "y on the near plane", ORANGE);
+    sheet.text_left_of(image + at(-0.35, 0.62), "y on the near plane", ORANGE);
+    sheet.line(image + at(-0.38, 0.5), image + at(-0.08, 0.12), ORANGE, 1.2);
     sheet.text_right_of(point + at(0.15, 0.12), "point", ORANGE);
     sheet.text_right_of(at(point.x + 0.12, 0.55), "y", ORANGE);
     sheet.text((-0.05, -0.3), "eye", BLACK);
     sheet.text_right_of(at(near + 0.12, -0.3), "n", BLUE);
     sheet.text_right_of(at(far + 0.12, 0.3), "f", BLUE);
-    sheet.text_left_of(at(near - 0.1, 1.12), "t", BLUE);
-    sheet.text_left_of(at(near - 0.1, bottom - 0.12), "b", BLUE);
+    sheet.text(at(near + 0.05, top + 0.3), "t", BLUE);
+    sheet.text(at(near + 0.05, bottom - 0.3), "b", BLUE);
     sheet.text_right_of(at(near - 0.4, -1.9), "near plane", BLUE);
     sheet.text(at(far, 3.15), "far plane", BLUE);
     sheet.finish()
@@ -312,10 +333,11 @@ fn fields_of_view() -> anyhow::Result<Drawing> {
     all_beside([15.0_f32, 40.0, 90.0].map(|fov| {
         // At this distance a length of 1.25 takes up half of the picture's height.
         let distance = 1.25 / (fov.to_radians() / 2.0).tan();
-        let eye = Vec3::new(0.0, 0.0, distance + 0.35);
+        let eye = Vec3::new(0.0, 0.0, distance + 0.1);
         let to_clip = perspective(fov, 1.0, PLANES.near, PLANES.far)? * looking(eye, Vec3::ZERO)?;
         let mut image = canvas(900);
-        draw(("per-pixel", "z-f32"), &subjects, light(), to_clip, PLANES, &mut image)?;
+        let light = Vec3::new(0.4, 0.5, 1.0).normalize();
+        draw(("per-pixel", "z-f32"), &subjects, light, to_clip, PLANES, &mut image)?;
         Ok(image.scale(300, 300))
     }))
 }
@@ -368,7 +390,7 @@ fn of_weights() -> anyhow::Result<Drawing> {
     sheet.dot(half, GREY);
     sheet.text_right_of(half + at(0.15, -0.12), "the middle", GREY);
     sheet.text_right_of(point + at(0.15, -0.16), "μ: ¾ and ¼", ORANGE);
-    sheet.text_left_of(middle + at(-0.1, 0.2), "λ: ½ and ½", ORANGE);
+    sheet.text_left_of(middle + at(-0.1, 0.42), "λ: ½ and ½", ORANGE);
     sheet.text((1.0, 1.68), "picture", BLACK);
     sheet.text(eye + at(0.0, -0.25), "eye", BLACK);
     sheet.text_right_of(near + at(0.12, -0.14), "near corner", BLUE);
@@ -471,13 +493,9 @@ fn gaps() -> anyhow::Result<Drawing> {
         sheet.text((power as f32, -8.45), name, BLACK);
     }
     for (row, (ink, y)) in
-        DEPTHS.iter().zip([(ORANGE, 0.0), (AMBER, -1.1), (BLUE, -7.35), (PURPLE, -5.75), (GREEN, -6.6)])
+        DEPTHS.iter().zip([(ORANGE, -0.9), (AMBER, -1.7), (BLUE, -7.35), (PURPLE, -5.75), (GREEN, -6.6)])
     {
-        let share = |power: f64| {
-            let distance = 10f64.powf(power);
-            let range = (row.run.alike)(planes, distance);
-            (power as f32, (((range.end().min(1e12) - range.start()) / distance).log10() as f32).min(0.0))
-        };
+        let share = |power: f64| (power as f32, gap(&row.run, planes, 10f64.powf(power)).log10() as f32);
         let points: Vec<(f32, f32)> = (0..=120).map(|n| share(f64::from(n) / 20.0)).collect();
         sheet.polyline(points, ink, 2.4);
         sheet.text_right_of((6.35, y), row.name, if ink == AMBER { BLACK } else { ink });
@@ -499,20 +517,22 @@ fn fighting() -> anyhow::Result<Drawing> {
     let subjects =
         [plain_floor(0.0, Color::rgb(0xd5, 0x5e, 0x00))?, plain_floor(NEARER, Color::rgb(0x00, 0x72, 0xb2))?];
     let planes = Planes { near: 0.01, far: 2000.0 };
-    const SIZE: [u16; 2] = [176, 240];
+    const SIZE: [u16; 2] = [176, 264];
     let [width, height] = SIZE.map(f32::from);
-    // The horizon near the upper border of the picture.
-    let m =
-        frustum(-0.0125, 0.0125, -0.03, 0.03 * (2.0 * 0.57 * width / height - 0.8), planes.near, planes.far)?;
+    // The horizon near the upper border of the picture; the head a little to the side, so that no row has one depth.
+    let (low, high) = (-0.0092, 0.0004);
+    let side = (high - low) * width / height / 2.0;
+    let tilted = view(Vec3::ZERO, -Vec3::Z, Vec3::new(0.1, 1.0, 0.0)).context("it looks somewhere")?;
+    let to_clip = frustum(-side, side, low, high, planes.near, planes.far)? * tilted;
     all_beside(DEPTHS.iter().map(|row| {
         let mut image = Image::new(SIZE[0], SIZE[1], Format::Rgb);
-        draw(("per-pixel", row.name), &subjects, Vec3::Z, m, planes, &mut image)?;
+        draw(("per-pixel", row.name), &subjects, Vec3::Z, to_clip, planes, &mut image)?;
         Ok(image)
     }))
 }
 
 /// By what share of its distance the second floor is nearer.
-const NEARER: f32 = 1.0 / (1 << 14) as f32;
+const NEARER: f32 = 1.0 / (1 << 16) as f32;
 
 fn behind() -> anyhow::Result<Drawing> {
     let subjects = [Subject::head()?, Subject::floor()?];
