@@ -479,28 +479,33 @@ fn levels() -> anyhow::Result<Drawing> {
 fn gaps() -> anyhow::Result<Drawing> {
     let planes = Planes { near: 1.0, far: 1e6 };
     // Both axes in powers of ten.
-    let mut sheet = Sheet::new((-1.15, -8.9), (9.9, 0.7));
-    sheet.axes((0.0, -8.0), (0.0, 0.0), (6.2, 8.3), 1.5);
-    for power in [-8, -6, -4, -2, 0] {
-        sheet.dashed((0.0, power as f32), (6.1, power as f32), FAINT, 1.2);
-        sheet.text_left_of(
-            (-0.12, power as f32),
-            ["10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "1"][(power as usize).wrapping_add(8) / 2],
-            BLACK,
-        );
+    let mut sheet = Sheet::new((-1.6, -8.9), (12.8, 0.8));
+    let x = |power: f64| 1.5 * power as f32;
+    sheet.axes((0.0, -8.0), (0.0, 0.0), (9.3, 8.3), 1.5);
+    for (power, name) in [(-8, "10⁻⁸"), (-6, "10⁻⁶"), (-4, "10⁻⁴"), (-2, "10⁻²"), (0, "1")] {
+        sheet.dashed((0.0, power as f32), (9.2, power as f32), FAINT, 1.2);
+        sheet.text_left_of((-0.15, power as f32), name, BLACK);
     }
-    for (power, name) in [(0, "n"), (2, "100 n"), (4, "10⁴ n"), (6, "10⁶ n")] {
-        sheet.text((power as f32, -8.45), name, BLACK);
+    for (power, name) in [(0.0, "n"), (2.0, "100 n"), (4.0, "10⁴ n"), (6.0, "10⁶ n")] {
+        sheet.text((x(power), -8.5), name, BLACK);
     }
-    for (row, (ink, y)) in
-        DEPTHS.iter().zip([(ORANGE, -0.9), (AMBER, -1.7), (BLUE, -7.35), (PURPLE, -5.75), (GREEN, -6.6)])
-    {
-        let share = |power: f64| (power as f32, gap(&row.run, planes, 10f64.powf(power)).log10() as f32);
-        let points: Vec<(f32, f32)> = (0..=120).map(|n| share(f64::from(n) / 20.0)).collect();
-        sheet.polyline(points, ink, 2.4);
-        sheet.text_right_of((6.35, y), row.name, if ink == AMBER { BLACK } else { ink });
+    let rows = [
+        // Under the next one's line, which is the same but near n.
+        ("z-f32", AMBER, 5.0, -1.75),
+        ("z24", ORANGE, 2.0, -1.0),
+        ("reversed-z-f32", BLUE, 2.2, -7.3),
+        ("logarithmic", PURPLE, 2.2, -5.9),
+        ("w", GREEN, 2.2, -6.55),
+    ];
+    for (name, ink, width, y) in rows {
+        let keep = method(DEPTHS, name)?;
+        // Just behind the near plane floats tell apart more than is drawn.
+        let share = |power: f64| gap(keep, planes, 10f64.powf(power)).log10().max(-8.0) as f32;
+        let points = (0..=120).map(|n| f64::from(n) / 20.0).map(|power| (x(power), share(power)));
+        sheet.polyline(points, ink, width);
+        sheet.text_right_of((9.45, y), name, if ink == AMBER { BLACK } else { ink });
     }
-    sheet.text_right_of((0.15, 0.35), "gap, as a share of the distance", GREY);
+    sheet.text_right_of((0.2, 0.4), "gap, as a share of the distance", GREY);
     sheet.finish()
 }
 
@@ -532,13 +537,13 @@ fn fighting() -> anyhow::Result<Drawing> {
 }
 
 /// By what share of its distance the second floor is nearer.
-const NEARER: f32 = 1.0 / (1 << 16) as f32;
+const NEARER: f32 = 1e-5;
 
 fn behind() -> anyhow::Result<Drawing> {
     let subjects = [Subject::head()?, Subject::floor()?];
-    let eye = Vec3::new(0.7, -0.55, 1.9);
+    let eye = Vec3::new(0.7, -0.6, 1.7);
     let to_clip =
-        perspective(70.0, 1.6, PLANES.near, PLANES.far)? * looking(eye, Vec3::new(0.0, -0.35, 0.0))?;
+        perspective(80.0, 1.6, PLANES.near, PLANES.far)? * looking(eye, Vec3::new(0.0, -0.75, 0.0))?;
     let mut image = Image::new(1440, 900, Format::Rgb);
     draw(("per-pixel", "z-f32"), &subjects, light(), to_clip, PLANES, &mut image)?;
     Ok(Drawing::Pixels(image.scale(720, 450), 1))

@@ -56,7 +56,7 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
         versions: &[
             matrix!(|m, _l, _r, _b, _t, _n, _f| m.z_axis.w = 1.0),
             // All four rows divided by z instead of −z.
-            matrix!(|m, _l, _r, _b, _t, _n, _f| m = m * -1.0),
+            matrix!(|m, _l, _r, _b, _t, _n, _f| m *= -1.0),
         ],
     },
     Fault {
@@ -151,7 +151,7 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
                 frustum: |l, r, b, t, n, f| {
                     (RIGHT.frustum)(l, r, b, t, n, f)
                         .map(|_| as_it_stands(l, r, b, t, n, f))
-                        .filter(|matrix| matrix.is_finite())
+                        .filter(Mat4::is_finite)
                 },
                 ..RIGHT
             },
@@ -178,9 +178,7 @@ pub(crate) const FAULTS: &[Fault<Perspective>] = &[
         versions: &[
             Perspective { frustum: |l, r, b, t, n, f| Some(in_the_limit(l, r, b, t, n, f)), ..RIGHT },
             Perspective {
-                frustum: |l, r, b, t, n, f| {
-                    Some(in_the_limit(l, r, b, t, n, f)).filter(|matrix| matrix.is_finite())
-                },
+                frustum: |l, r, b, t, n, f| Some(in_the_limit(l, r, b, t, n, f)).filter(Mat4::is_finite),
                 ..RIGHT
             },
             Perspective {

@@ -51,7 +51,7 @@ pub fn draw(
         let window = clip.map(|corner| to_window(corner, size));
         let [z, inverse_w] = [2, 3].map(|n| Vec3::from_array(window.map(|corner| corner[n])));
         let width = image.width();
-        fill(window.map(|corner| corner.xy()), bounds, |x, y, in_picture| {
+        fill(window.map(Vec4::xy), bounds, |x, y, in_picture| {
             let nearest = &mut depths[(y * width + x) as usize];
             // Depth in the window is even in the picture, what lies on the triangle is not.
             let depth = in_picture.dot(z);
