@@ -14,7 +14,6 @@ mod enlarge;
 mod fault;
 mod input;
 mod mark;
-pub mod marks;
 mod report;
 mod show;
 
