@@ -23,6 +23,7 @@ pub mod frustum;
 pub mod interpolation;
 pub mod lighting;
 pub mod render;
+pub mod scene;
 pub mod target;
 pub mod window;
 

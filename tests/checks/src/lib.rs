@@ -5,6 +5,7 @@
 //! | [`segment`] | the ideal line, in rational numbers |
 //! | [`coverage`] | the pixels of a triangle and their weights, in `i128` |
 //! | [`visibility`] | the nearest of several triangles, in `f64` |
+//! | [`clipspace`] | which side of a triangle of clip space is seen, in `i128`; what a ray meets of it, in `f64` |
 //! | [`texel`] | the texel of a texture coordinate, in `i128` |
 //! | [`sphere`] | a smooth sphere under a light, by its equation |
 //! | [`matrix`] | the inverse of a matrix, in rational numbers |
@@ -20,6 +21,7 @@
 //! compared by `common`, as under `--compare`.
 
 pub mod camera;
+pub mod clipspace;
 pub mod coverage;
 pub mod matrix;
 pub mod picture;
