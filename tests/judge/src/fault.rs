@@ -18,7 +18,7 @@ pub struct Fault<F: 'static> {
 impl<F> Fault<F> {
     /// The cause, and where to find help.
     pub(crate) fn told(&self, lesson: &str) -> String {
-        let chapter = lesson.split_once('-').map_or(lesson, |(number, _)| number).trim_start_matches('0');
+        let chapter = tasks::number(lesson);
         let hint = self.hint.map(|hint| format!(" (hint {hint} of chapter {chapter})"));
         format!("{}{}", self.cause, hint.unwrap_or_default())
     }

@@ -14,6 +14,7 @@ mod enlarge;
 mod fault;
 mod input;
 mod mark;
+pub mod marks;
 mod report;
 mod show;
 
