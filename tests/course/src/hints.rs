@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
 use common::file::write_whole;
@@ -32,8 +33,7 @@ struct Hint<'a> {
 pub fn open(missions: &Missions, which: Option<&str>, wanted: Option<usize>) -> anyhow::Result<String> {
     let mission = missions.find(which)?;
     let (lesson, own) = (&mission.lesson, name(&mission.lesson));
-    let path = missions.chapter(mission);
-    let chapter = fs::read_to_string(&path).with_context(|| format!("cannot read {}", shown(&path)))?;
+    let chapter = missions.chapter(mission)?;
     let hints = hints(&chapter);
     let of = hints.len();
     ensure!(of > 0, "chapter {} has no hints", number(lesson));
@@ -69,7 +69,7 @@ pub fn open(missions: &Missions, which: Option<&str>, wanted: Option<usize>) -> 
 
 /// How many hints of a mission are open, and how many there are. `None` where that cannot be known.
 pub(crate) fn count(missions: &Missions, mission: &Standing) -> Option<(usize, usize)> {
-    let chapter = fs::read_to_string(missions.chapter(mission)).ok()?;
+    let chapter = missions.chapter(mission).ok()?;
     let of = hints(&chapter).len();
     let opened = opened(missions, mission).ok()?;
     Some((opened.iter().filter(|n| (1..=of).contains(*n)).count(), of))
@@ -87,13 +87,14 @@ fn hints(chapter: &str) -> Vec<Hint<'_>> {
         .collect()
 }
 
-fn file(missions: &Missions, mission: &Standing) -> std::path::PathBuf {
-    missions.course.join("out").join(format!("my-{}.hints", mission.lesson))
+/// Where it is kept which hints are open, from the course's folder.
+fn file(mission: &Standing) -> PathBuf {
+    Path::new("out").join(format!("my-{}.hints", mission.lesson))
 }
 
 fn opened(missions: &Missions, mission: &Standing) -> anyhow::Result<BTreeSet<usize>> {
-    let path = file(missions, mission);
-    let numbers = match fs::read(&path) {
+    let path = file(mission);
+    let numbers = match fs::read(missions.course.join(&path)) {
         Ok(bytes) if bytes.len() > LIMIT => None,
         Ok(bytes) => String::from_utf8(bytes).ok(),
         Err(error) if error.kind() == ErrorKind::NotFound => Some(String::new()),
@@ -107,7 +108,7 @@ fn opened(missions: &Missions, mission: &Standing) -> anyhow::Result<BTreeSet<us
 fn keep(missions: &Missions, mission: &Standing, opened: &BTreeSet<usize>) -> anyhow::Result<()> {
     fs::create_dir_all(missions.course.join("out")).context("cannot create the folder out/")?;
     let numbers: Vec<String> = opened.iter().map(usize::to_string).collect();
-    write_whole(&file(missions, mission), format!("{}\n", numbers.join(" ")).as_bytes())?;
+    write_whole(&missions.course.join(file(mission)), format!("{}\n", numbers.join(" ")).as_bytes())?;
     Ok(())
 }
 

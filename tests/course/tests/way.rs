@@ -220,7 +220,7 @@ fn what_is_no_list_of_hints_or_no_chapter_is_a_line() {
     way.add(lesson, "# Lines\n\nNo hints yet.\n");
     assert_eq!(way.hint(None, None).unwrap_err(), "chapter 1 has no hints");
     fs::remove_file(way.root().join("book/lessons").join(lesson).join("chapter.md")).unwrap();
-    assert!(way.hint(None, None).unwrap_err().starts_with("cannot read "));
+    assert!(way.hint(None, None).unwrap_err().starts_with("cannot read book"));
     // A lesson without a chapter goes by its name.
     assert!(way.row(lesson).contains(&format!("  1  {} ", name(lesson))));
 }
