@@ -114,9 +114,9 @@ fn marks_are_shown_and_the_next_mission_named() {
     assert!(list.contains(&format!(": 2 of {} missions done\n", way.lessons.len())), "{list}");
     assert!(list.contains(&format!("Next is mission 3, {}: ", name(three))), "{list}");
     for (lesson, sign, points) in [
-        (one, "  ✓", "██████████  10 of 10"),
-        (two, "  ✓", "██████████  10 of 10"),
-        (three, "  →", "████░░░░░░   4 of 10"),
+        (one, "  ✓", " ██████████  10 of 10"),
+        (two, "  ✓", " ██████████  10 of 10"),
+        (three, "  →", " ████░░░░░░   4 of 10"),
     ] {
         let row = way.row(lesson);
         assert!(row.starts_with(sign) && row.ends_with(points), "{row}");
