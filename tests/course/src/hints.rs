@@ -34,6 +34,7 @@ pub fn open(missions: &Missions, which: Option<&str>, wanted: Option<usize>) -> 
     let mission = missions.find(which)?;
     let (lesson, own) = (&mission.lesson, name(&mission.lesson));
     let chapter = missions.chapter(mission)?;
+    let chapter = with_numbers(&chapter, number(lesson));
     let hints = hints(&chapter);
     let of = hints.len();
     ensure!(of > 0, "chapter {} has no hints", number(lesson));
@@ -73,6 +74,33 @@ pub(crate) fn count(missions: &Missions, mission: &Standing) -> Option<(usize, u
     let of = hints(&chapter).len();
     let opened = opened(missions, mission).ok()?;
     Some((opened.iter().filter(|n| (1..=of).contains(*n)).count(), of))
+}
+
+/// A chapter with `equation 3.4` or `figure 3.2` in the place of `{{see NAME}}`, numbered as in the book: by what comes
+/// before. A name that there is not stays.
+fn with_numbers(chapter: &str, lesson: &str) -> String {
+    let mut text = String::new();
+    let mut rest = chapter;
+    while let Some((before, (name, behind))) =
+        rest.split_once("{{see ").and_then(|(before, behind)| Some((before, behind.split_once("}}")?)))
+    {
+        let equation = chapter.find(&format!("$${{#{name}}}")).map(|at| {
+            // Each formula before has two, this one its first.
+            format!("equation {lesson}.{}", chapter[..at].matches("$$").count() / 2 + 1)
+        });
+        let figure = || {
+            let at = ["figure", "chart"]
+                .iter()
+                .find_map(|kind| chapter.find(&format!("{{{{{kind} {name}}}}}")))?;
+            let before = ["{{figure ", "{{chart "].map(|kind| chapter[..at].matches(kind).count());
+            Some(format!("figure {lesson}.{}", before.iter().sum::<usize>() + 1))
+        };
+        let number = equation.or_else(figure);
+        text += before;
+        text += &number.unwrap_or_else(|| format!("{{{{see {name}}}}}"));
+        rest = behind;
+    }
+    text + rest
 }
 
 /// The hints of a chapter, in order.
@@ -115,6 +143,15 @@ fn keep(missions: &Missions, mission: &Standing, opened: &BTreeSet<usize>) -> an
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_referred_to_has_the_book_s_number() {
+        let chapter = "$$a$$\n{{figure one}} $a$ {{chart two}} {{see two}}, {{see one}}\n$$b$${#named}\n$$c$$\n\
+                       {{see named}} {{see nothing}} {{see";
+        let text = with_numbers(chapter, "3");
+        assert!(text.contains("figure 3.2, figure 3.1\n"), "{text}");
+        assert!(text.ends_with("equation 3.2 {{see nothing}} {{see"), "{text}");
+    }
 
     #[test]
     fn hints_are_what_is_folded_and_called_so() {
