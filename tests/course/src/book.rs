@@ -28,7 +28,8 @@ const OPENERS: &[&str] = if cfg!(windows) {
 pub fn open(missions: &Missions, which: Option<&str>) -> anyhow::Result<()> {
     let mission = missions.find(which)?;
     let page = missions.course.join("target/book").join(&mission.lesson).with_extension("html");
-    if !is_newer(&page, &missions.chapter(mission)) {
+    let chapter = missions.course.join("book/lessons").join(&mission.lesson).join("chapter.md");
+    if !is_newer(&page, &chapter) {
         print("The book is not built yet, or older than this chapter. That takes some minutes, once.\n")?;
         let mut cargo = tasks::cargo("run", "book");
         // Of a program that is built so itself, it is so anyway.

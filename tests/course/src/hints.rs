@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
 use common::file::write_whole;
@@ -32,8 +33,8 @@ struct Hint<'a> {
 pub fn open(missions: &Missions, which: Option<&str>, wanted: Option<usize>) -> anyhow::Result<String> {
     let mission = missions.find(which)?;
     let (lesson, own) = (&mission.lesson, name(&mission.lesson));
-    let path = missions.chapter(mission);
-    let chapter = fs::read_to_string(&path).with_context(|| format!("cannot read {}", shown(&path)))?;
+    let chapter = missions.chapter(mission)?;
+    let chapter = with_numbers(&chapter, number(lesson));
     let hints = hints(&chapter);
     let of = hints.len();
     ensure!(of > 0, "chapter {} has no hints", number(lesson));
@@ -69,10 +70,37 @@ pub fn open(missions: &Missions, which: Option<&str>, wanted: Option<usize>) -> 
 
 /// How many hints of a mission are open, and how many there are. `None` where that cannot be known.
 pub(crate) fn count(missions: &Missions, mission: &Standing) -> Option<(usize, usize)> {
-    let chapter = fs::read_to_string(missions.chapter(mission)).ok()?;
+    let chapter = missions.chapter(mission).ok()?;
     let of = hints(&chapter).len();
     let opened = opened(missions, mission).ok()?;
     Some((opened.iter().filter(|n| (1..=of).contains(*n)).count(), of))
+}
+
+/// A chapter with `equation 3.4` or `figure 3.2` in the place of `{{see NAME}}`, numbered as in the book: by what comes
+/// before. A name that there is not stays.
+fn with_numbers(chapter: &str, lesson: &str) -> String {
+    let mut text = String::new();
+    let mut rest = chapter;
+    while let Some((before, (name, behind))) =
+        rest.split_once("{{see ").and_then(|(before, behind)| Some((before, behind.split_once("}}")?)))
+    {
+        let equation = chapter.find(&format!("$${{#{name}}}")).map(|at| {
+            // Each formula before has two, this one its first.
+            format!("equation {lesson}.{}", chapter[..at].matches("$$").count() / 2 + 1)
+        });
+        let figure = || {
+            let at = ["figure", "chart"]
+                .iter()
+                .find_map(|kind| chapter.find(&format!("{{{{{kind} {name}}}}}")))?;
+            let before = ["{{figure ", "{{chart "].map(|kind| chapter[..at].matches(kind).count());
+            Some(format!("figure {lesson}.{}", before.iter().sum::<usize>() + 1))
+        };
+        let number = equation.or_else(figure);
+        text += before;
+        text += &number.unwrap_or_else(|| format!("{{{{see {name}}}}}"));
+        rest = behind;
+    }
+    text + rest
 }
 
 /// The hints of a chapter, in order.
@@ -87,13 +115,14 @@ fn hints(chapter: &str) -> Vec<Hint<'_>> {
         .collect()
 }
 
-fn file(missions: &Missions, mission: &Standing) -> std::path::PathBuf {
-    missions.course.join("out").join(format!("my-{}.hints", mission.lesson))
+/// Where it is kept which hints are open, from the course's folder.
+fn file(mission: &Standing) -> PathBuf {
+    Path::new("out").join(format!("my-{}.hints", mission.lesson))
 }
 
 fn opened(missions: &Missions, mission: &Standing) -> anyhow::Result<BTreeSet<usize>> {
-    let path = file(missions, mission);
-    let numbers = match fs::read(&path) {
+    let path = file(mission);
+    let numbers = match fs::read(missions.course.join(&path)) {
         Ok(bytes) if bytes.len() > LIMIT => None,
         Ok(bytes) => String::from_utf8(bytes).ok(),
         Err(error) if error.kind() == ErrorKind::NotFound => Some(String::new()),
@@ -107,13 +136,22 @@ fn opened(missions: &Missions, mission: &Standing) -> anyhow::Result<BTreeSet<us
 fn keep(missions: &Missions, mission: &Standing, opened: &BTreeSet<usize>) -> anyhow::Result<()> {
     fs::create_dir_all(missions.course.join("out")).context("cannot create the folder out/")?;
     let numbers: Vec<String> = opened.iter().map(usize::to_string).collect();
-    write_whole(&file(missions, mission), format!("{}\n", numbers.join(" ")).as_bytes())?;
+    write_whole(&missions.course.join(file(mission)), format!("{}\n", numbers.join(" ")).as_bytes())?;
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_referred_to_has_the_book_s_number() {
+        let chapter = "$$a$$\n{{figure one}} $a$ {{chart two}} {{see two}}, {{see one}}\n$$b$${#named}\n$$c$$\n\
+                       {{see named}} {{see nothing}} {{see";
+        let text = with_numbers(chapter, "3");
+        assert!(text.contains("figure 3.2, figure 3.1\n"), "{text}");
+        assert!(text.ends_with("equation 3.2 {{see nothing}} {{see"), "{text}");
+    }
 
     #[test]
     fn hints_are_what_is_folded_and_called_so() {

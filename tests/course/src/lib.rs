@@ -2,7 +2,7 @@
 //! chapters, and the book.
 //!
 //! The missions are the lessons' folders, their marks are what the missions' programs kept
-//! ([`marks`](judge::marks)), and the hints are read from the chapters, so that none of it stands in two places.
+//! ([`judge::marks`]), and the hints are read from the chapters, so that none of it stands in two places.
 //! Nothing here reads a solution.
 
 pub mod book;
@@ -11,9 +11,11 @@ pub mod hints;
 pub mod list;
 mod text;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
+use common::printable::shown;
 use judge::marks::{self, ENOUGH, Standing};
 use tasks::{name, number};
 
@@ -82,8 +84,9 @@ impl Missions {
         ))
     }
 
-    /// The source of a mission's chapter.
-    fn chapter(&self, mission: &Standing) -> PathBuf {
-        self.course.join("book/lessons").join(&mission.lesson).join("chapter.md")
+    /// The chapter of a mission, in Markdown.
+    fn chapter(&self, mission: &Standing) -> anyhow::Result<String> {
+        let path = Path::new("book/lessons").join(&mission.lesson).join("chapter.md");
+        fs::read_to_string(self.course.join(&path)).with_context(|| format!("cannot read {}", shown(&path)))
     }
 }

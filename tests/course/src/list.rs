@@ -76,7 +76,7 @@ fn points(mark: &Mark) -> String {
 
 /// What the chapter is called; without a chapter, the lesson's name.
 fn title(missions: &Missions, mission: &Standing) -> String {
-    let chapter = std::fs::read_to_string(missions.chapter(mission)).unwrap_or_default();
+    let chapter = missions.chapter(mission).unwrap_or_default();
     let title = chapter.lines().find_map(|line| line.strip_prefix("# "));
     title.unwrap_or(name(&mission.lesson)).trim().into()
 }

@@ -76,6 +76,6 @@ fn next(missions: &Missions, which: Option<&str>) -> anyhow::Result<ExitCode> {
     let mission = missions.find(which)?;
     let package = format!("my-{}", name(&mission.lesson));
     print(&format!("{}\ncargo run -p {package} -- --watch\n\n", missions.place(mission)))?;
-    let status = cargo("run", &package).args(["--quiet", "--", "--watch"]).status()?;
+    let status = cargo("run", &package).args(["--", "--watch"]).status()?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

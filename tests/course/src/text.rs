@@ -93,12 +93,10 @@ mod tests {
 
     #[test]
     fn a_paragraph_is_wrapped_and_code_stays_in_a_line() {
-        let markdown =
-            "Words of *one*\n**paragraph**, with [a link](x.md#y), that goes on to column 70, `a b c`, on.";
-        assert_eq!(
-            plain(markdown, "  "),
-            "  Words of *one* *paragraph*, with a link, that goes on to column 70, `a b c`,\n  on.\n"
-        );
+        let markdown = "Words of *one*\n**paragraph**, with [a link](x.md#y), and `a b c`, that goes on up to `d e f g`.";
+        let text =
+            "  Words of *one* *paragraph*, with a link, and `a b c`, that goes on up to\n  `d e f g`.\n";
+        assert_eq!(plain(markdown, "  "), text);
     }
 
     #[test]

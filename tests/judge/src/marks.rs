@@ -51,13 +51,13 @@ pub struct Mark {
 impl Standing {
     /// Reads the mark of a lesson's mission in a course's folder.
     fn read(course: &Path, lesson: &str) -> Self {
-        let path = file(course, lesson);
+        let path = file(lesson);
         let none = Self { lesson: lesson.into(), mark: None, broken: None };
         let broken = |why: &str| {
             let broken = Some(format!("{}: {why}; the mission's next run replaces it", shown(&path)));
             Self { broken, ..none.clone() }
         };
-        let (text, when) = match text_of(&path) {
+        let (text, when) = match text_of(&course.join(&path)) {
             Ok(Some(kept)) => kept,
             Ok(None) => return broken("not a mark of this course"),
             Err(error) if error.kind() == ErrorKind::NotFound => return none,
@@ -112,7 +112,7 @@ pub fn source(course: &Path, lesson: &str) -> PathBuf {
 /// Where it cannot be written.
 pub fn keep(course: &Path, lesson: &str, (earned, of): (u32, u32), text: &str) -> anyhow::Result<()> {
     fs::create_dir_all(course.join("out")).context("cannot create the folder out/")?;
-    write_whole(&file(course, lesson), format!("{earned} of {of}{HEAD}\n{text}").as_bytes())?;
+    write_whole(&course.join(file(lesson)), format!("{earned} of {of}{HEAD}\n{text}").as_bytes())?;
     Ok(())
 }
 
@@ -139,8 +139,9 @@ pub(crate) fn onward(course: &Path, lesson: &str) -> anyhow::Result<String> {
     Ok(text)
 }
 
-fn file(course: &Path, lesson: &str) -> PathBuf {
-    course.join("out").join(format!("my-{lesson}.mark"))
+/// Where a mark is kept, from the course's folder.
+fn file(lesson: &str) -> PathBuf {
+    Path::new("out").join(format!("my-{lesson}.mark"))
 }
 
 /// A file's text, and when it was written; `None` where it cannot be a mark.
@@ -185,7 +186,7 @@ mod tests {
     fn run(course: &Path, marks: &[(&str, u32)]) {
         for (minutes, (lesson, points)) in marks.iter().enumerate() {
             keep(course, lesson, (*points, 10), "mine\n").unwrap();
-            let file = fs::File::options().append(true).open(file(course, lesson)).unwrap();
+            let file = fs::File::options().append(true).open(course.join(file(lesson))).unwrap();
             file.set_modified(SystemTime::UNIX_EPOCH + Duration::from_secs(60 * minutes as u64)).unwrap();
         }
     }
@@ -209,7 +210,7 @@ mod tests {
         let course = course();
         let course = course.path();
         run(course, &[("01-one", 10)]);
-        let file = file(course, "01-one");
+        let file = course.join(file("01-one"));
         let long = format!("1 of 10{HEAD}\n{}", "x".repeat(LIMIT as usize));
         for bytes in [
             &b""[..],
@@ -226,7 +227,11 @@ mod tests {
             let one = &standings(course).unwrap()[0];
             let said = one.broken.as_deref().unwrap();
             assert!(one.mark.is_none() && said.lines().count() == 1, "{said}");
-            assert!(said.contains("my-01-one.mark: not a mark of this course; "), "{said}");
+            assert!(
+                said.ends_with(
+                    "my-01-one.mark: not a mark of this course; the mission's next run replaces it"
+                )
+            );
         }
         fs::remove_file(&file).unwrap();
         fs::create_dir(&file).unwrap();
