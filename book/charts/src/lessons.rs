@@ -14,6 +14,8 @@ pub(crate) mod camera;
 pub(crate) mod gouraud;
 #[path = "../../lessons/01-lines/mod.rs"]
 pub(crate) mod lines;
+#[path = "../../lessons/10-perspective/mod.rs"]
+pub(crate) mod perspective;
 #[path = "../../lessons/09-shaders/mod.rs"]
 pub(crate) mod shaders;
 #[path = "../../lessons/05-textures/mod.rs"]
@@ -38,6 +40,7 @@ pub const LESSONS: &[Lesson] = &[
     transforms::LESSON,
     camera::LESSON,
     shaders::LESSON,
+    perspective::LESSON,
 ];
 
 /// What the book shows of a lesson.

@@ -204,7 +204,7 @@ pub fn kept<D: Depth>(planes: Planes, distance: f64) -> f32 {
 }
 
 /// The distances of which the same is kept as of this one: two surfaces farther apart than the range is long are
-/// always told apart there, two in it never. It ends at f64::MAX where nothing farther is told apart.
+/// always told apart there, two in it never. It ends at `f64::MAX` where nothing farther is told apart.
 #[must_use]
 pub fn alike<D: Depth>(planes: Planes, distance: f64) -> RangeInclusive<f64> {
     let here = kept::<D>(planes, distance);

@@ -1,23 +1,20 @@
 //! Draws lesson 10's picture: `cargo run --release -p perspective`.
 
-use std::path::Path;
 use std::process::ExitCode;
 
 use camera::flags::ViewFlags;
-use common::placement::Placement;
 use common::program::{Extras, Program, UsageError, run};
-use common::{Attributes, Image, Lesson, Method, Model, Vec3};
-use gouraud::corner_normals;
+use common::{Image, Lesson, Method};
 use gouraud::flags::SceneFlags;
 use perspective::flags::CameraFlags;
+use perspective::scene::Loaded;
 use perspective::{DEPTHS, FLOOR, Interpolate, Keep, view};
 use shaders::Uniforms;
-use textures::Wrap;
 
 #[derive(clap::Args)]
 #[command(mut_arg("eye", |arg| arg.default_value("1.1,0.1,3.4")))]
 #[command(mut_arg("center", |arg| arg.default_value("0,-0.1,0")))]
-#[command(mut_arg("light", |arg| arg.default_value("0.5,1,0.7")))]
+#[command(mut_arg("light", |arg| arg.default_value("0.3,0.7,0.7")))]
 struct Flags {
     #[command(flatten)]
     scene: SceneFlags,
@@ -29,20 +26,6 @@ struct Flags {
     /// What the depth buffer keeps: z24, z-f32, reversed-z-f32, logarithmic or w
     #[arg(long, value_name = "NAME", default_value = "z-f32")]
     projection: String,
-}
-
-/// A model with what is drawn of it.
-struct Loaded {
-    model: Model,
-    normals: Vec<[Vec3; 3]>,
-    texture: Image,
-    wrap: Wrap,
-}
-
-impl Loaded {
-    fn new((model, texture): (Model, Image), wrap: Wrap) -> Self {
-        Self { normals: corner_normals(&model), model, texture, wrap }
-    }
 }
 
 /// A head on a floor, or a model alone.
@@ -64,15 +47,7 @@ impl Program for Perspective {
         let keep = find(&flags)?;
         // Refused before a file is read.
         flags.camera.projection(1.0)?;
-        let needs = Attributes { normals: true, uvs: true };
-        let scene = &flags.scene;
-        let mut models = vec![Loaded::new(scene.model.read_about(flags.view.origin(), needs)?, scene.wrap)];
-        if !scene.model.is_given() {
-            let [model, texture] = FLOOR.map(Path::new);
-            let placement = Placement { origin: flags.view.origin(), ..Placement::default() };
-            let floor = Model::read_placed(model, needs, &placement)?;
-            models.push(Loaded::new((floor, Image::read(texture)?), Wrap::Repeat));
-        }
+        let models = Loaded::read(&flags.scene, flags.view.origin(), FLOOR)?;
         Ok(Self { models, keep, flags })
     }
 
@@ -81,15 +56,8 @@ impl Program for Perspective {
         let size = picture.size();
         let to_clip = flags.camera.projection(size.x / size.y)? * flags.view.look(view)?;
         let light = flags.scene.light.direction;
-        let models = self.models.iter().map(|Loaded { model, normals, texture, wrap }| Uniforms {
-            normals,
-            texture: Some(texture),
-            wrap: *wrap,
-            light,
-            to_clip,
-            ..Uniforms::new(model)
-        });
-        let models: Vec<Uniforms> = models.collect();
+        let models: Vec<Uniforms> =
+            self.models.iter().map(|loaded| loaded.uniforms(light, to_clip)).collect();
         let drawn = (method.draw)(self.keep)(&models, flags.camera.planes(), picture);
         Ok(Extras { depth: flags.scene.depth.picture(|| drawn.picture()), left_out: drawn.left_out })
     }

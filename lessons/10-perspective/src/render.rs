@@ -58,14 +58,21 @@ pub fn draw_triangle<S: Shader + ?Sized>(
     target: &mut impl Target<S::Output>,
 ) {
     let bounds = target.bounds();
-    interpolation.fill(corners, varyings, bounds, Fragments { shader, constant, target });
+    interpolation.fill(corners, varyings, bounds, Fragments::new(shader, constant, target));
 }
 
 /// A triangle's pixels become fragments of a shader: tested, computed, written.
-struct Fragments<'a, S: Shader + ?Sized, T> {
+pub struct Fragments<'a, S: Shader + ?Sized, T> {
     shader: &'a S,
     constant: S::Constant,
     target: &'a mut T,
+}
+
+impl<'a, S: Shader + ?Sized, T> Fragments<'a, S, T> {
+    /// Of a shader, for a triangle whose own step gave that constant.
+    pub fn new(shader: &'a S, constant: S::Constant, target: &'a mut T) -> Self {
+        Self { shader, constant, target }
+    }
 }
 
 impl<S: Shader + ?Sized, T: Target<S::Output>> Pixels<S::Varying> for Fragments<'_, S, T> {
