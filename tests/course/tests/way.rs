@@ -97,8 +97,8 @@ fn without_marks_the_first_mission_is_next() {
     let at: Vec<_> = way.lessons.iter().map(|lesson| list.find(&way.row(lesson))).collect();
     assert!(at.is_sorted() && at.iter().all(Option::is_some), "{list}");
     assert_eq!(list.matches('→').count(), 1);
-    assert!(way.row(first).starts_with("  →  1  Lines ") && way.row(first).ends_with('░'));
-    assert!(!list.contains('█') && !list.contains('\x1b'), "{list}");
+    assert!(way.row(first).starts_with("  →  1  Lines ") && way.row(first).ends_with('·'));
+    assert!(!list.contains('■') && !list.contains('\x1b'), "{list}");
     assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     assert!(list::told(&way.missions(), true).contains("\x1b[1m"));
 }
@@ -114,9 +114,9 @@ fn marks_are_shown_and_the_next_mission_named() {
     assert!(list.contains(&format!(": 2 of {} missions done\n", way.lessons.len())), "{list}");
     assert!(list.contains(&format!("Next is mission 3, {}: ", name(three))), "{list}");
     for (lesson, sign, points) in [
-        (one, "  ✓", " ██████████  10 of 10"),
-        (two, "  ✓", " ██████████  10 of 10"),
-        (three, "  →", " ████░░░░░░   4 of 10"),
+        (one, "  ✓", " ■■■■■■■■■■  10 of 10"),
+        (two, "  ✓", " ■■■■■■■■■■  10 of 10"),
+        (three, "  →", " ■■■■······   4 of 10"),
     ] {
         let row = way.row(lesson);
         assert!(row.starts_with(sign) && row.ends_with(points), "{row}");
@@ -377,7 +377,7 @@ fn a_solution_pasted_is_shown_and_the_next_mission_named() {
 
     let untouched = run(&["--package=my-lines"]);
     assert!(text(&untouched.stderr).contains("Nothing is written yet. Begin at lessons/01-lines/"));
-    let row = "  →  1  Lines           my-lines       ░░░░░░░░░░   0 of 10";
+    let row = "  →  1  Lines           my-lines       ··········   0 of 10";
     let squeezed = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(list().lines().any(|line| squeezed(line) == squeezed(row)), "{}", list());
 
@@ -392,7 +392,7 @@ fn a_solution_pasted_is_shown_and_the_next_mission_named() {
         all.len()
     );
     assert!(solved.contains(&told), "{solved}");
-    let row = "✓ 1 Lines my-lines ██████████ 10 of 10";
+    let row = "✓ 1 Lines my-lines ■■■■■■■■■■ 10 of 10";
     assert!(list().lines().any(|line| squeezed(line) == row), "{}", list());
     assert!(list().contains("\nNext is mission 2, wireframe: "), "{}", list());
 
@@ -400,7 +400,7 @@ fn a_solution_pasted_is_shown_and_the_next_mission_named() {
     fs::write(source(&copy.root, "01-lines"), nothing_drawn()).expect("the copy can be written");
     assert!(list().contains("10 of 10  changed since"), "{}", list());
     assert!(!copy.cargo(&["test", "--quiet", "--package=my-lines"]).status.success());
-    let row = "→ 1 Lines my-lines ░░░░░░░░░░ 0 of 10";
+    let row = "→ 1 Lines my-lines ·········· 0 of 10";
     assert!(list().lines().any(|line| squeezed(line) == row), "{}", list());
 
     #[cfg(unix)]
