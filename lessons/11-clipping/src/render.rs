@@ -174,7 +174,7 @@ impl<V: Varying> Placed<V> {
     #[cold]
     #[inline(never)]
     fn cut(corners: [ClipVertex<V>; 3], planes: &[Vec4], needed: u8, size: Vec2) -> Option<Self> {
-        let mut polygon = Polygon::new(corners);
+        let mut polygon = Polygon::new(&corners);
         for (n, &plane) in planes.iter().enumerate() {
             if needed >> n & 1 == 1 {
                 polygon = clip(&polygon, plane);
