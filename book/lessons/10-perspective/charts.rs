@@ -4,6 +4,7 @@ use common::{Attributes, Bounds, Format, IVec2, Image, Method, Model, Vec2, Vec3
 use fastrand::Rng;
 use glam::{DMat3, DVec2};
 use gouraud::corner_normals;
+use perspective::division::Reciprocal;
 use perspective::{DEPTHS, DIVISIONS, Draw, Interpolate, Keep, METHODS, Planes, perspective};
 use shaders::Uniforms;
 use textures::Wrap;
@@ -334,22 +335,21 @@ fn division_errors(effort: Effort) -> Vec<Errors> {
 fn division_work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let numbers: Vec<f32> = (0..size).map(|_| 0.5 + random.f32()).collect();
-    let work = |all: fn(&mut [f32]), amount: usize| {
-        // Twice the reciprocal is the number again, or nearly: it stays where it is however often this is done.
-        let mut numbers = numbers.clone();
-        Work::new(amount as f64, move || {
+    let work = |method: &Method<Reciprocal>| {
+        // The reciprocal of a reciprocal is the number again, or nearly: all stay about 1 however often this is done.
+        let (mut numbers, all) = (numbers.clone(), method.run.all);
+        Work::new(size as f64, move || {
             all(&mut numbers);
             numbers[0]
         })
     };
-    let nothing = work(|numbers| numbers.iter_mut().for_each(|x| *x = -*x), 0);
-    std::iter::once(nothing).chain(DIVISIONS.iter().map(|method| work(method.run.all, size))).collect()
+    DIVISIONS.iter().map(work).collect()
 }
 
 /// Larger and larger numbers, up to the largest: their reciprocals get too small for the trick.
 fn division_stability(effort: Effort) -> Vec<Series> {
     let exponents = [0, 10, 20, 40, 60, 80, 100, 110, 120, 124, 125, 126, 127];
-    let worst = |method: &Method<perspective::division::Reciprocal>, exponent: i32| {
+    let worst = |method: &Method<Reciprocal>, exponent: i32| {
         let mut random = effort.random();
         let some = (0..effort.samples(1000)).map(|_| (1.0 + random.f32() * 0.999) * 2f32.powi(exponent));
         some.map(|x| off(method.run.one, x)).fold(0.0, f64::max)
