@@ -35,7 +35,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     work: method_work,
     sizes: Sizes { name: "triangles", all: &[2, 8, 32, 128, 512, 2048, 8192, 32_768], usual: 32 },
     stability: Stability {
-        stress: "ratio of the depths of a triangle's corners",
+        stress: "how much deeper a triangle's farthest corner is, over the nearest one's depth",
         falling: false,
         error: Quantity {
             name: "largest error, triangles of 256 px",
@@ -193,16 +193,16 @@ fn method_errors(effort: Effort) -> Vec<Errors> {
     errors
 }
 
-/// Corners deeper and deeper behind each other.
+/// Corners deeper and deeper behind the nearest one.
 fn method_stability(effort: Effort) -> Vec<Series> {
-    let ratios = (0..=14).map(|n| 1.0 + 10f64.powf(f64::from(n) / 2.0 - 3.0));
-    let worst = |method: &Method<Interpolate>, ratio: f64| {
+    let shares = (0..=14).map(|n| 10f64.powf(f64::from(n) / 2.0 - 3.0));
+    let worst = |method: &Method<Interpolate>, share: f64| {
         let mut random = effort.random();
         let triangles =
-            (0..effort.samples(200)).map(|_| Triangle::random(&mut random, ratio).errors(method).0);
+            (0..effort.samples(200)).map(|_| Triangle::random(&mut random, 1.0 + share).errors(method).0);
         triangles.fold(0.0, f64::max)
     };
-    METHODS.iter().map(|method| ratios.clone().map(|ratio| (ratio, worst(method, ratio))).collect()).collect()
+    METHODS.iter().map(|method| shares.clone().map(|share| (share, worst(method, share))).collect()).collect()
 }
 
 /// A wall that fills the view, of so many triangles, from the depth 1 at the left side to 4 at the right one.
