@@ -47,8 +47,8 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     wrong: &[],
     advice: &[
         ("per-pixel", "always, on today's processors"),
-        ("every-8", "where a division costs as much as eight pixels"),
-        ("every-16", "the same, and small errors may show"),
+        ("every-8", "where a division takes as long as several pixels, and an error of some texels may show"),
+        ("every-16", "where it takes as long as many pixels, and a ripple may show"),
         ("affine", "triangles that are hardly deeper on one side than on the other"),
     ],
 };
@@ -85,7 +85,7 @@ pub(crate) const DEPTHS_CHART: Chart = Chart {
     advice: &[
         ("reversed-z-f32", "always, where the buffer holds floats"),
         ("z-f32", "small scenes: a far plane at no more than a thousand times the near one's depth"),
-        ("z24", "the same, where the buffer holds whole numbers"),
+        ("z24", "small scenes, where the buffer holds whole numbers"),
         ("w", "where the distance itself is needed afterwards"),
         ("logarithmic", "where the buffer holds whole numbers and the scene is deep"),
     ],
@@ -120,8 +120,8 @@ pub(crate) const DIVISIONS_CHART: Chart = Chart {
     wrong: &[],
     advice: &[
         ("exact", "unless a division is what a program waits for"),
-        ("fast-2", "where it is, and the texture is smaller than some 70,000 texels"),
-        ("fast-1", "the same, below some 200 texels"),
+        ("fast-2", "where it is, and a texture has less than some 70,000 texels each way"),
+        ("fast-1", "where it is, and a texture has less than some 200 texels each way"),
     ],
 };
 
