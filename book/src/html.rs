@@ -16,7 +16,7 @@ use charts::figures::{self, Drawn};
 use charts::lessons::{LESSONS, Lesson};
 
 /// The book's own folder.
-const BOOK: &str = env!("CARGO_MANIFEST_DIR");
+pub(crate) const BOOK: &str = env!("CARGO_MANIFEST_DIR");
 
 /// The glossary's page.
 const GLOSSARY: &str = "glossary.md";
@@ -174,7 +174,7 @@ fn join(pages: &mut [Made], targets: &Targets, terms: &[Term], issues: &str) {
 }
 
 /// The names of the pages in the book, and their files from the book's folder.
-fn files(book: &Path, lessons: &[Lesson]) -> anyhow::Result<Vec<(PathBuf, PathBuf)>> {
+pub(crate) fn files(book: &Path, lessons: &[Lesson]) -> anyhow::Result<Vec<(PathBuf, PathBuf)>> {
     let chapter = |lesson: &Lesson| (page_of(lesson), lesson.folder().join("chapter.md"));
     let mut files: Vec<(PathBuf, PathBuf)> = lessons.iter().map(chapter).collect();
     for entry in std::fs::read_dir(book.join("pages"))? {

@@ -9,9 +9,10 @@ use perspective::{DEPTHS, DIVISIONS, Draw, Interpolate, Keep, METHODS, Planes, p
 use shaders::Uniforms;
 use textures::Wrap;
 
-use crate::measure::{Effort, Errors, Work};
-use crate::models::texture;
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::lessons::perspective::figures::gap;
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::models::texture;
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 /// Texels each way: an attribute from 0 to 1 goes over so many.
 const TEXELS: f64 = 256.0;
@@ -271,13 +272,6 @@ fn depth_work(size: usize, _: Effort) -> Vec<Work> {
     let (walls, texture) = (walls(32, size), &*Box::leak(Box::new(texture())));
     let way = &Method::find(METHODS, "per-pixel").expect("the lesson has it").run;
     DEPTHS.iter().map(|method| work((way.draw)(&method.run), walls, texture)).collect()
-}
-
-/// The length of the distances that are not told apart from one, as a share of it; of what lies between the planes.
-pub(crate) fn gap(keep: &Keep, planes: Planes, distance: f64) -> f64 {
-    let alike = (keep.alike)(planes, distance);
-    let (near, far) = (f64::from(planes.near), f64::from(planes.far));
-    (alike.end().min(far) - alike.start().max(near)) / distance
 }
 
 /// A distance between the planes, each power of ten equally likely.

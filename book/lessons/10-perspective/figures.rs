@@ -6,7 +6,7 @@ use anyhow::Context;
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use gouraud::corner_normals;
 use perspective::{
-    DEPTHS, DIVISIONS, FLOOR, METHODS, Planes, frustum, perspective, perspective_weights, view,
+    DEPTHS, DIVISIONS, FLOOR, Keep, METHODS, Planes, frustum, perspective, perspective_weights, view,
 };
 use shaders::Uniforms;
 use textures::Wrap;
@@ -15,7 +15,6 @@ use crate::figures::picture::{all_beside, canvas, chequered, method, model, pain
 use crate::figures::shape::{ball, parsed};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, ORANGE, PURPLE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
-use crate::lessons::perspective::charts::gap;
 use crate::lessons::transforms::figures::TILES;
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -476,6 +475,13 @@ fn levels() -> anyhow::Result<Drawing> {
         sheet.text((x(distance), -3.25), &format!("{distance}"), BLACK);
     }
     sheet.finish()
+}
+
+/// The length of the distances that are not told apart from one, as a share of it; of what lies between the planes.
+pub(crate) fn gap(keep: &Keep, planes: Planes, distance: f64) -> f64 {
+    let alike = (keep.alike)(planes, distance);
+    let (near, far) = (f64::from(planes.near), f64::from(planes.far));
+    (alike.end().min(far) - alike.start().max(near)) / distance
 }
 
 fn gaps() -> anyhow::Result<Drawing> {
