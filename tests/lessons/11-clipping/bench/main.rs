@@ -162,8 +162,8 @@ fn ratios(_: &mut Criterion) {
         let mesh = (row.run)(&head.model, &head.normals, BOTH);
         let [mut a, mut b] = [canvas(800), canvas(800)];
         let after = head.uniforms(Vec3::Z, turned());
-        let draw = |mesh, image| {
-            by_lesson_11(&after, mesh, Cull::Back, &mut perspective::Framebuffer::new(image, ZF32))
+        let draw = |mesh: &Mesh, image: &mut Image| {
+            by_lesson_11(&after, mesh, Cull::Back, &mut perspective::Framebuffer::new(image, ZF32));
         };
         let taken = ratio(|| draw(&mesh, &mut a), || draw(&head.mesh, &mut b));
         println!("800x800: the head, {} / indexed: {taken:.3}", row.name);
