@@ -1,4 +1,4 @@
-//! The pixels that a triangle, or any polygon, covers, decided in `i128`.
+//! The pixels that a triangle covers, decided in `i128`.
 //!
 //! Corners are first rounded to 1/256 px, as lesson 3 specifies. A pixel's centre is inside when a ray from
 //! it to the right crosses the sides an odd number of times. The ray starts an infinitely small distance to
@@ -21,13 +21,27 @@ impl Triangle {
     /// Where a corner is not finite.
     #[must_use]
     pub fn new(corners: [Vec2; 3]) -> Self {
-        Self(corners.map(snap))
+        let snap = |coordinate: f32| {
+            assert!(coordinate.is_finite());
+            (f64::from(coordinate) * 256.0).round_ties_even() as i128
+        };
+        Self(corners.map(|corner| [snap(corner.x), snap(corner.y)]))
     }
 
     /// Whether the pixel (x, y) is covered.
     #[must_use]
     pub fn covers(&self, x: i32, y: i32) -> bool {
-        covers(&self.0, x, y)
+        let [px, py] = center(x, y);
+        let [a, b, c] = self.0;
+        let crossings = [[a, b], [b, c], [c, a]].into_iter().filter(|[a, b]| {
+            let [low, high] = if a[1] <= b[1] { [a, b] } else { [b, a] };
+            // The ray runs just below py: a corner at py is above it.
+            let crosses = low[1] < py && high[1] >= py;
+            // Where it crosses, x·(high − low) = low.x·(high − low) + (py − low)·(high.x − low.x).
+            let rise = high[1] - low[1];
+            crosses && low[0] * rise + (py - low[1]) * (high[0] - low[0]) > px * rise
+        });
+        crossings.count() % 2 == 1
     }
 
     /// The pixels covered in the bounds, rows from the bottom.
@@ -46,37 +60,6 @@ impl Triangle {
         let whole = doubled_area(a, b, c) as f64;
         [doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)].map(|part| part as f64 / whole)
     }
-}
-
-/// Whether a polygon of any number of corners, given in px and rounded like a triangle's, covers the pixel (x, y).
-///
-/// # Panics
-/// Where a corner is not finite.
-#[must_use]
-pub fn polygon_covers(corners: &[Vec2], x: i32, y: i32) -> bool {
-    let corners: Vec<Corner> = corners.iter().map(|&corner| snap(corner)).collect();
-    covers(&corners, x, y)
-}
-
-fn covers(corners: &[Corner], x: i32, y: i32) -> bool {
-    let [px, py] = center(x, y);
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let crossings = sides.filter(|&(a, b)| {
-        let [low, high] = if a[1] <= b[1] { [a, b] } else { [b, a] };
-        // The ray runs just below py: a corner at py is above it.
-        let crosses = low[1] < py && high[1] >= py;
-        // Where it crosses, x·(high − low) = low.x·(high − low) + (py − low)·(high.x − low.x).
-        let rise = high[1] - low[1];
-        crosses && low[0] * rise + (py - low[1]) * (high[0] - low[0]) > px * rise
-    });
-    crossings.count() % 2 == 1
-}
-
-fn snap(corner: Vec2) -> Corner {
-    corner.to_array().map(|coordinate| {
-        assert!(coordinate.is_finite());
-        (f64::from(coordinate) * 256.0).round_ties_even() as i128
-    })
 }
 
 fn center(x: i32, y: i32) -> Corner {
