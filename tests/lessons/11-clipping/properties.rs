@@ -163,6 +163,61 @@ fn nine_corners_are_enough_and_needed() {
     assert_eq!(most, MOST_CORNERS);
 }
 
+/// Whatever a triangle was, what the guard band's planes leave of it has all corners within ±2¹⁶ px, where the fill computes
+/// with whole numbers of an `f64`: in the smallest picture, in the largest, and in a very flat one.
+#[test]
+fn the_guard_band_leaves_what_the_fill_computes_exactly() {
+    let mut rng = Rng::with_seed(16);
+    let mut farthest = 0_f32;
+    for n in 0..60_000 {
+        let size = [Vec2::ONE, Vec2::splat(800.0), Vec2::splat(65_535.0), Vec2::new(16_384.0, 1.0)][n % 4];
+        let scale = [2.0, 1e3, 1e30][n % 3];
+        let positions = [(); 3].map(|()| {
+            // One corner in three is near the picture, so that something is left.
+            let reach = if rng.u8(0..3) == 0 { 1.0 } else { scale };
+            Vec4::from_array([(); 4].map(|()| within(&mut rng, reach)))
+        });
+        let whole = Polygon::new(vertices(positions, [(); 3]));
+        let left = guard_band(size).iter().fold(whole, |polygon, &plane| clip(&polygon, plane));
+        for place in left.corners().iter().filter_map(|corner| window(corner.position, size)) {
+            // The cut and the window round, each by some 2⁻²⁴ of 2¹⁶ px.
+            let reach = place.xy().abs().max_element();
+            assert!(reach <= 65_536.0 + 1.0 / 64.0, "{place} of {positions:?} in {size}");
+            farthest = farthest.max(reach);
+        }
+    }
+    assert!(farthest > 65_000.0, "{farthest}");
+}
+
+/// A square whose sides and diagonal run through centres of pixels: each centre on them belongs to one triangle, and to the
+/// one that lesson 3's rule says.
+#[test]
+fn a_centre_on_a_side_belongs_to_one_triangle() {
+    let at = |n: i32| (2 * n + 1) as f32 / 16.0 - 1.0;
+    let square = [(2, 3), (12, 3), (12, 13), (2, 13)];
+    for w in [1.0, 0.5, 3.0] {
+        let clip = square.map(|(x, y)| Vec4::new(at(x), at(y), 0.0, 1.0) * w);
+        let window = square.map(|(x, y)| Vec2::new(x as f32 + 0.5, y as f32 + 0.5));
+        for halves in [[[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]], [[2, 1, 0], [3, 2, 0]]] {
+            for method in METHODS {
+                for half in halves {
+                    let (log, _) = drawn(&[half.map(|corner| clip[corner])], method.run, Cull::None, 16);
+                    let exact = Triangle::new(half.map(|corner| window[corner]));
+                    for (x, y) in (0..16).flat_map(|y| (0..16).map(move |x| (x, y))) {
+                        let expected = u32::from(exact.covers(x, y));
+                        assert_eq!(
+                            log.covered[(y * 16 + x) as usize],
+                            expected,
+                            "{}, {half:?} ({x}, {y})",
+                            method.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// What a ray from inside meets of a sphere: one triangle. So each pixel is covered once, wherever the eye is in it and
 /// wherever it looks.
 #[test]
