@@ -3,7 +3,7 @@
 use common::Mat4;
 use common::program::UsageError;
 
-use crate::frustum::{Planes, perspective};
+use crate::frustum::{FrustumError, Planes, perspective};
 
 /// `--fov`, `--near` and `--far`.
 #[derive(Clone, Copy, Debug, clap::Args)]
@@ -36,7 +36,8 @@ impl CameraFlags {
         let &Self { fov, near, far } = self;
         let refused = |why: String| UsageError(format!("--fov {fov} --near {near} --far {far}: {why}"));
         if near == 0.0 {
-            return Err(refused("the near plane must lie before the eye, at more than 0".into()));
+            // The limit has a picture, but no depths to draw one by.
+            return Err(refused(FrustumError::Near(near).to_string()));
         }
         perspective(fov, aspect, near, far).map_err(|error| refused(error.to_string()))
     }

@@ -14,7 +14,7 @@ use shaders::Uniforms;
 #[derive(clap::Args)]
 #[command(mut_arg("eye", |arg| arg.default_value("1.1,0.1,3.4")))]
 #[command(mut_arg("center", |arg| arg.default_value("0,-0.1,0")))]
-#[command(mut_arg("light", |arg| arg.default_value("0.5,1,0.7")))]
+#[command(mut_arg("light", |arg| arg.default_value("0.3,0.7,0.7")))]
 struct Flags {
     #[command(flatten)]
     scene: SceneFlags,
