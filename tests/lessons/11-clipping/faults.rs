@@ -35,6 +35,18 @@ fn right_cut(ends: [ClipVertex; 2], [from, to]: [f32; 2]) -> ClipVertex {
     }
 }
 
+/// All sides but the last.
+fn open(polygon: &[ClipVertex], plane: Vec4) -> Vec<ClipVertex> {
+    sides(polygon, plane, polygon.len().saturating_sub(1), |result, ends, distances| {
+        if distances[0] >= 0.0 {
+            result.push(ends[0]);
+        }
+        if (distances[0] >= 0.0) != (distances[1] >= 0.0) {
+            result.push(right_cut(ends, distances));
+        }
+    })
+}
+
 /// The clipper with another cut.
 fn with_cut(
     polygon: &[ClipVertex],
@@ -137,19 +149,18 @@ pub(crate) const FAULTS: &[Fault<Clipping>] = &[
     Fault {
         cause: "the side from the last corner back to the first is missing",
         hint: Some(2),
-        versions: &[Clipping {
-            clip: |polygon, plane| {
-                sides(polygon, plane, polygon.len().saturating_sub(1), |result, ends, distances| {
-                    if distances[0] >= 0.0 {
-                        result.push(ends[0]);
-                    }
-                    if (distances[0] >= 0.0) != (distances[1] >= 0.0) {
-                        result.push(right_cut(ends, distances));
-                    }
-                })
+        versions: &[
+            Clipping { clip: |polygon, plane| open(polygon, plane), ..RIGHT },
+            // The last corner is added, but not the cut after it.
+            Clipping {
+                clip: |polygon, plane| {
+                    let mut result = open(polygon, plane);
+                    result.extend(polygon.last().filter(|last| plane.dot(last.position) >= 0.0));
+                    result
+                },
+                ..RIGHT
             },
-            ..RIGHT
-        }],
+        ],
     },
     Fault {
         cause: "corners come twice: a side adds its first corner and its cut, and leaves its second corner to the next side",

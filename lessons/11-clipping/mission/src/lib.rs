@@ -6,13 +6,12 @@
 //!
 //! - [`ClipVertex`] has `position: Vec4` and `uv: Vec2`, and is `Copy`; `ClipVertex { position, uv }` makes one.
 //! - `a.dot(b)` of two vectors; `a * t`, `a + b`, `a - b` number by number.
-//! - `v.xyw()` takes x, y and w out of a `Vec4`; `v.as_dvec3()` makes an `f64` of each number of a `Vec3`. The result, a
-//!   `DVec3`, has `a.cross(b)` and `a.dot(b)`.
+//! - `v.xyw()` takes x, y and w out of a `Vec4`, for which you write `use common::Vec4Swizzles;`; `v.as_dvec3()` makes an
+//!   `f64` of each number of a `Vec3`. The result, a `DVec3`, has `a.cross(b)` and `a.dot(b)`.
 //! - `polygon.len()`, `polygon[i]`; `(i + 1) % polygon.len()` is the corner after the last one, too.
 //! - `let mut result = Vec::new();`, `result.push(corner);`.
 
-// The second one brings `xyw`.
-use common::{Vec4, Vec4Swizzles as _};
+use common::Vec4;
 
 // Given: corners in clip space, the six planes, and the loop over triangles and pixels.
 pub use clipping_tasks::given::{ClipVertex, PLANES, draw};

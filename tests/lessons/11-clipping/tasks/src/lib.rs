@@ -119,16 +119,21 @@ pub const MISSION: Mission<Clipping> = Mission {
     ],
 };
 
-/// A number from 0.5 to 3, and so not near 0.
+/// A number from 0.5 to 3, and so not near 0; in eighths, to be read.
 fn size(rng: &mut Rng) -> f32 {
-    0.5 + 2.5 * rng.f32()
+    eighths(0.5 + 2.5 * rng.f32())
+}
+
+fn eighths(number: f32) -> f32 {
+    (number * 8.0).round() / 8.0
 }
 
 /// A triangle of clip space whose w have these signs, or are 0.
 fn triangle(rng: &mut Rng, signs: [f32; 3]) -> [ClipVertex; 3] {
     signs.map(|sign| {
-        let position = Vec4::new(3.0 * signed(rng), 3.0 * signed(rng), 3.0 * signed(rng), sign * size(rng));
-        ClipVertex { position, uv: Vec2::new(rng.f32(), rng.f32()) }
+        let mut place = || eighths(3.0 * signed(rng));
+        let position = Vec4::new(place(), place(), place(), sign * size(rng));
+        ClipVertex { position, uv: Vec2::new(eighths(rng.f32()), eighths(rng.f32())) }
     })
 }
 
@@ -136,7 +141,7 @@ fn triangle(rng: &mut Rng, signs: [f32; 3]) -> [ClipVertex; 3] {
 fn cut_triangle(rng: &mut Rng, sides: [i32; 3]) -> ([ClipVertex; 3], Vec4) {
     loop {
         let triangle = triangle(rng, [1.0; 3]);
-        let plane = Vec4::new(signed(rng), signed(rng), signed(rng), signed(rng));
+        let plane = Vec4::from_array([(); 4].map(|()| eighths(signed(rng))));
         let fits = |(corner, side): (&ClipVertex, i32)| plane.dot(corner.position) * side as f32 > 0.3;
         if triangle.iter().zip(sides).all(fits) {
             return (triangle, plane);
@@ -150,8 +155,8 @@ fn much_cut(rng: &mut Rng) -> ([ClipVertex; 3], Vec<Vec4>) {
     let corners = [0.0, 1.0, 2.0].map(|third| {
         let angle = std::f32::consts::TAU * (third + turn) / 3.0;
         let w = size(rng);
-        let position = Vec4::new(2.2 * angle.cos() * w, 2.2 * angle.sin() * w, 0.3 * signed(rng) * w, w);
-        ClipVertex { position, uv: Vec2::new(rng.f32(), rng.f32()) }
+        let [x, y, z] = [2.2 * angle.cos(), 2.2 * angle.sin(), 0.3 * signed(rng)].map(|n| eighths(n * w));
+        ClipVertex { position: Vec4::new(x, y, z, w), uv: Vec2::new(eighths(rng.f32()), eighths(rng.f32())) }
     });
     (corners, PLANES[2..].to_vec())
 }
@@ -188,8 +193,8 @@ impl Columns {
         let first = first.unwrap_or_default();
         let corners = polygon[first..].iter().chain(&polygon[..first]);
         match self {
-            Self::Positions => Raw::rows(corners.map(|corner| corner.position.to_array())),
-            Self::Uvs => Raw::rows(corners.map(|corner| corner.uv.to_array())),
+            Self::Positions => Raw::list(corners.map(|corner| corner.position.to_array())),
+            Self::Uvs => Raw::list(corners.map(|corner| corner.uv.to_array())),
         }
     }
 }
@@ -248,7 +253,10 @@ fn neighbours(seed: u64) -> Task<Clipping> {
 pub fn agreeing(clip: fn(&[ClipVertex], Vec4) -> Vec<ClipVertex>, seed: u64) -> usize {
     let mut rng = Rng::with_seed(seed);
     let agree = |_: &usize| {
-        let ([a, b, c], plane) = cut_triangle(&mut rng, [1, -1, 1]);
+        let (corners, plane) = cut_triangle(&mut rng, [1, -1, 1]);
+        // Numbers that fill their bits, so that nothing is exact by luck.
+        let [a, b, c] = corners
+            .map(|corner| ClipVertex { position: corner.position * (0.9 + 0.2 * rng.f32()), ..corner });
         let d = ClipVertex { position: 2.0 * a.position - c.position * 0.1, ..c };
         let new = |polygon: [ClipVertex; 3]| -> Vec<ClipVertex> {
             clip(&polygon, plane).into_iter().filter(|corner| !polygon.contains(corner)).collect()
