@@ -8,11 +8,13 @@
 //! | [`torus_knot`] | `torus-knot.obj`, a knotted tube |
 //! | [`head`] | `head.obj` and `head.tga`, the face of the course |
 //! | [`wood`] | `crate.png`, a painted wooden box |
+//! | [`floor`] | `floor.obj`, a plane to the horizon, `slabs.obj`, the same in fewer pieces, and `checks.png` for both |
 //!
 //! The same bytes come out on every platform: sines come from `libm`, square roots and the four operations
 //! are exact by IEEE 754, randomness is seeded. A test makes everything again and compares.
 
 pub mod cube;
+pub mod floor;
 pub mod head;
 pub mod mesh;
 pub mod sphere;
@@ -36,5 +38,8 @@ pub const ASSETS: &[Asset] = &[
     Asset { name: "torus-knot.obj", make: || torus_knot::torus_knot(240, 12).to_obj().into_bytes() },
     Asset { name: "head.obj", make: || head::model().to_obj().into_bytes() },
     Asset { name: "head.tga", make: || head::texture().encode(Encoding::TgaRle).expect("it has pixels") },
+    Asset { name: "floor.obj", make: || floor::floor().to_obj().into_bytes() },
+    Asset { name: "slabs.obj", make: || floor::slabs().to_obj().into_bytes() },
+    Asset { name: "checks.png", make: || floor::checks().encode(Encoding::Png).expect("it has pixels") },
     Asset { name: "crate.png", make: || wood::crate_side(256).encode(Encoding::Png).expect("it has pixels") },
 ];

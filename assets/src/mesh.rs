@@ -18,9 +18,9 @@ pub struct Corner {
 /// A triangle mesh. Corners share positions even where the texture has a seam.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
-    /// Points within [−1, 1]³, y up.
+    /// Points, y up; a model's lie within [−1, 1]³.
     pub positions: Vec<DVec3>,
-    /// Texture coordinates within [0, 1]², v up.
+    /// Texture coordinates, v up; within [0, 1]² unless the texture is to be repeated.
     pub uvs: Vec<DVec2>,
     /// Unit vectors that point outwards.
     pub normals: Vec<DVec3>,

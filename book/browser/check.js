@@ -15,7 +15,7 @@ import { chromium } from "playwright-core";
 const here = dirname(fileURLToPath(import.meta.url));
 const book = resolve(process.argv[2] ?? join(here, "../../target/book"));
 if (!existsSync(join(book, "index.html"))) {
-    console.error(`${book}: there is no book here; cargo run --release -p book builds it`);
+    console.error(`${book}: there is no book here; cargo run -p book builds it`);
     process.exit(1);
 }
 const root = pathToFileURL(book).href + "/";

@@ -16,7 +16,7 @@ use charts::figures::{self, Drawn};
 use charts::lessons::{LESSONS, Lesson};
 
 /// The book's own folder.
-const BOOK: &str = env!("CARGO_MANIFEST_DIR");
+pub(crate) const BOOK: &str = env!("CARGO_MANIFEST_DIR");
 
 /// The glossary's page.
 const GLOSSARY: &str = "glossary.md";
@@ -86,7 +86,7 @@ fn pages(book: &Path, lessons: &[Lesson], out: &Path, figures: &[Drawn]) -> anyh
         std::fs::write(staged.path().join(&page.name), &page.page.markdown)?;
     }
     let contents = std::fs::read_to_string(book.join("pages/SUMMARY.md"))?;
-    let contents = contents.replace("{{lessons}}\n", &contents_of(lessons));
+    let contents = with_lessons(&contents, lessons);
     std::fs::write(staged.path().join("SUMMARY.md"), contents)?;
     if charts.is_dir() {
         copy(&charts, &staged.path().join("charts"))?;
@@ -174,7 +174,7 @@ fn join(pages: &mut [Made], targets: &Targets, terms: &[Term], issues: &str) {
 }
 
 /// The names of the pages in the book, and their files from the book's folder.
-fn files(book: &Path, lessons: &[Lesson]) -> anyhow::Result<Vec<(PathBuf, PathBuf)>> {
+pub(crate) fn files(book: &Path, lessons: &[Lesson]) -> anyhow::Result<Vec<(PathBuf, PathBuf)>> {
     let chapter = |lesson: &Lesson| (page_of(lesson), lesson.folder().join("chapter.md"));
     let mut files: Vec<(PathBuf, PathBuf)> = lessons.iter().map(chapter).collect();
     for entry in std::fs::read_dir(book.join("pages"))? {
@@ -186,12 +186,18 @@ fn files(book: &Path, lessons: &[Lesson]) -> anyhow::Result<Vec<(PathBuf, PathBu
     Ok(files)
 }
 
-/// The lessons' part of the table of contents.
-fn contents_of(lessons: &[Lesson]) -> String {
+/// The table of contents with the lessons of a part in the place of `{{lessons 1-9}}`.
+fn with_lessons(contents: &str, lessons: &[Lesson]) -> String {
+    static PART: LazyLock<Regex> =
+        LazyLock::new(|| Regex::new(r"\{\{lessons (\d+)-(\d+)\}\}\n").expect("the pattern is right"));
     let line = |lesson: &Lesson| {
         format!("- [{}. {}]({})\n", lesson.lesson.number, lesson.lesson.title, page_of(lesson).display())
     };
-    lessons.iter().map(line).collect()
+    let lines = |part: &regex::Captures| -> String {
+        let [first, last] = [&part[1], &part[2]].map(|number| number.parse::<u8>().unwrap_or_default());
+        lessons.iter().filter(|lesson| (first..=last).contains(&lesson.lesson.number)).map(line).collect()
+    };
+    PART.replace_all(contents, lines).into_owned()
 }
 
 /// The name of a chapter in the book.

@@ -16,7 +16,7 @@ use crate::markup::escaped;
 /// # Errors
 /// What mdBook says.
 pub(crate) fn build(book: &Path, source: &Path, out: &Path) -> anyhow::Result<()> {
-    let mut config = Config::from_disk(book.join("book.toml"))?;
+    let mut config = settings(book)?;
     config.book.src = source.into();
     config.build.build_dir = std::path::absolute(out)?;
     let mdbook = MDBook::load_with_config(book, config)?;
@@ -35,12 +35,20 @@ pub(crate) fn build(book: &Path, source: &Path, out: &Path) -> anyhow::Result<()
     Ok(())
 }
 
+/// The book's settings; as in mdBook's own program, `MDBOOK_OUTPUT__HTML__SITE_URL` in the environment stands above
+/// `site-url` in the file, and so on.
+fn settings(book: &Path) -> anyhow::Result<Config> {
+    let mut config = Config::from_disk(book.join("book.toml"))?;
+    config.update_from_env()?;
+    Ok(config)
+}
+
 /// How a reader tells of a mistake: a link to the issues of the repository that the settings name, or else words.
 ///
 /// # Errors
 /// Where the settings cannot be read.
 pub(crate) fn issues(book: &Path) -> anyhow::Result<String> {
-    let config = Config::from_disk(book.join("book.toml"))?;
+    let config = settings(book)?;
     let address: Option<String> = config.get("output.html.git-repository-url")?;
     Ok(match address {
         Some(address) => {

@@ -1,11 +1,11 @@
 //! The lessons' pictures, drawn by the lessons' programs and brought to one size.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use anyhow::{Context, ensure};
 use common::Image;
 
+use crate::cargo::cargo;
 use charts::lessons::{LESSONS, Lesson};
 
 /// The book's own folder.
@@ -38,9 +38,8 @@ pub(crate) fn draw_all() -> anyhow::Result<()> {
 fn draw(lesson: &str, flags: &[&str]) -> anyhow::Result<Image> {
     let folder = tempfile::tempdir()?;
     let path = folder.path().join("picture.png");
-    let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
     let run = ["run", "--quiet", "--package", lesson, "--", "--quiet", "--out"];
-    let output = Command::new(cargo)
+    let output = cargo()
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .args(run)
         .arg(&path)

@@ -13,7 +13,7 @@ use tiny_http::{Header, Request, Response, Server};
 pub(crate) fn serve(folder: &Path, port: u16) -> anyhow::Result<()> {
     ensure!(
         folder.join("index.html").is_file(),
-        "{}: there is no book here; cargo run --release -p book builds it",
+        "{}: there is no book here; cargo run -p book builds it",
         folder.display()
     );
     let server = Server::http(("127.0.0.1", port)).map_err(|error| anyhow!("port {port}: {error}"))?;

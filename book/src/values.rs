@@ -3,12 +3,15 @@
 use std::path::Path;
 
 use anyhow::{Context, ensure};
+use serde_json::Value;
 
 /// A measured table: a row of names, then rows whose first cells say what they are of.
 pub(crate) struct Table {
     name: String,
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
+    /// The methods whose error of 0 is more than what a sample showed: proved, or measured over all there is.
+    exact: Vec<String>,
 }
 
 impl Table {
@@ -24,7 +27,9 @@ impl Table {
         let columns = reader.headers()?.iter().map(String::from).collect();
         let rows: Result<Vec<Vec<String>>, csv::Error> =
             reader.records().map(|record| Ok(record?.iter().map(String::from).collect())).collect();
-        Ok(Self { name: name.into(), columns, rows: rows? })
+        let rows = rows?;
+        let exact = exact(folder, name, &rows)?;
+        Ok(Self { name: name.into(), columns, rows, exact })
     }
 
     /// The cell in a column, of the first row whose first cells are these.
@@ -80,7 +85,7 @@ impl Table {
         ];
         for row in &self.rows {
             let key = row.first().context("an empty row")?;
-            let none = if charts::is_exact(&self.name, key) { "exact" } else { "none found" };
+            let none = if self.exact.contains(key) { "exact" } else { "none found" };
             let cells: anyhow::Result<Vec<String>> = columns
                 .iter()
                 .map(|column| Ok(shown(self.cell(&[key], column.0)?, column.0, none)))
@@ -89,6 +94,21 @@ impl Table {
         }
         Ok(lines.join("\n"))
     }
+}
+
+/// The methods of these rows that are exact, as the facts tell that were written when the table was measured, or the
+/// one that it comes with: `01-lines.json` tells of `01-lines-growth.csv` too.
+fn exact(folder: &Path, name: &str, rows: &[Vec<String>]) -> anyhow::Result<Vec<String>> {
+    let names = std::iter::successors(Some(name), |name| Some(name.rsplit_once('-')?.0));
+    let mut paths = names.map(|name| folder.join(name).with_extension("json"));
+    let Some(path) = paths.find(|path| path.is_file()) else { return Ok(Vec::new()) };
+    let facts: Value =
+        serde_json::from_slice(&std::fs::read(&path)?).with_context(|| path.display().to_string())?;
+    let exhaustive = facts["error_max"].as_str().is_some_and(|bound| bound.starts_with("exhaustive"));
+    let proved: Vec<&str> =
+        facts["proved_exact"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    let methods = rows.iter().filter_map(|row| row.first());
+    Ok(methods.filter(|method| exhaustive || proved.contains(&method.as_str())).cloned().collect())
 }
 
 /// A cell of a table as readers like it; no error is told as `none`.
@@ -125,6 +145,7 @@ mod tests {
                 row(&["b", "1", "nan"]),
                 row(&["c", "1", "0.0021"]),
             ],
+            exact: Vec::new(),
         }
     }
 
@@ -156,6 +177,26 @@ mod tests {
         measured.columns[1] = "frontier".into();
         measured.rows[2][1] = "true".into();
         assert_eq!(measured.best(), ["b"]);
+    }
+
+    #[test]
+    fn the_facts_beside_a_table_tell_what_is_exact() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        for name in ["01-a.csv", "01-a-growth.csv", "02-b.csv", "03-c.csv"] {
+            write(name, "method,error_max\nx,0\ny,0\nz,0.5\n");
+        }
+        write("01-a.json", r#"{ "error_max": "sampled: a lower bound", "proved_exact": ["y"] }"#);
+        write("02-b.json", r#"{ "error_max": "exhaustive: a maximum", "proved_exact": [] }"#);
+        let errors = |name| {
+            let text =
+                Table::read(folder.path(), name).unwrap().markdown(&[("method", ""), ("error_max", "")]);
+            text.unwrap().lines().skip(2).map(|line| line[6..line.len() - 2].to_string()).collect::<Vec<_>>()
+        };
+        assert_eq!(errors("01-a"), ["none found", "exact", "0.5"]);
+        assert_eq!(errors("01-a-growth"), ["none found", "exact", "0.5"]);
+        assert_eq!(errors("02-b"), ["exact", "exact", "0.5"]);
+        assert_eq!(errors("03-c"), ["none found", "none found", "0.5"]);
     }
 
     #[test]

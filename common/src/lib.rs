@@ -39,7 +39,8 @@ pub mod terminal;
 pub use color::Color;
 pub use error::{Error, PictureError};
 pub use glam::{
-    DMat3, DVec2, DVec3, IVec2, Mat3, Mat4, Quat, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles,
+    DMat3, DVec2, DVec3, DVec4, IVec2, Mat3, Mat4, Quat, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4,
+    Vec4Swizzles,
 };
 pub use image::{Bounds, Format, Image};
 pub use lesson::{Lesson, Table};

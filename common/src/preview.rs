@@ -6,6 +6,7 @@
 use std::fmt::Write;
 use std::io::IsTerminal;
 
+use crate::terminal::wants_colors;
 use crate::{Color, Image};
 
 /// The picture as lines of half-block characters with ANSI colours, made smaller where it is wider than
@@ -49,18 +50,16 @@ pub fn for_terminal(image: &Image) -> Option<String> {
 ///
 /// Terminals that can say so in `COLORTERM` (<https://github.com/termstandard/colors>). Some have names that
 /// are enough, Windows Terminal has a variable of its own, and in terminfo `-direct` stands for these colours.
-/// `NO_COLOR` counts where it is not empty (<https://no-color.org>).
 fn shows_colors(variable: impl Fn(&str) -> String) -> bool {
     const TERMS: [&str; 6] = ["alacritty", "contour", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"];
     const PROGRAMS: [&str; 4] = ["WezTerm", "ghostty", "iTerm.app", "vscode"];
     let term = variable("TERM");
-    let wanted = variable("NO_COLOR").is_empty() && term != "dumb";
     let able = ["truecolor", "24bit"].contains(&variable("COLORTERM").as_str())
         || !variable("WT_SESSION").is_empty()
         || term.ends_with("-direct")
         || TERMS.contains(&term.as_str())
         || PROGRAMS.contains(&variable("TERM_PROGRAM").as_str());
-    wanted && able
+    wants_colors(&variable) && able
 }
 
 #[cfg(test)]

@@ -27,6 +27,22 @@ pub fn eprintln(line: impl std::fmt::Display) {
     let _ = writeln!(std::io::stderr(), "{}", printable(&line.to_string()));
 }
 
+/// Whether bold and coloured text may be written to standard output: it is a terminal that knows ECMA-48's codes, and
+/// its user wants colours.
+#[must_use]
+pub fn is_styled() -> bool {
+    let variable = |name: &str| std::env::var(name).unwrap_or_default();
+    // Windows' older terminal shows the codes as text, unless a program has asked it not to.
+    let knows = !cfg!(windows) || ["WT_SESSION", "TERM"].iter().any(|name| !variable(name).is_empty());
+    std::io::stdout().is_terminal() && knows && wants_colors(variable)
+}
+
+/// Whether colours are wanted, by the variables of the environment (one that is not set is empty). `NO_COLOR` counts
+/// where it is not empty (<https://no-color.org>).
+pub(crate) fn wants_colors(variable: impl Fn(&str) -> String) -> bool {
+    variable("NO_COLOR").is_empty() && variable("TERM") != "dumb"
+}
+
 /// A line on standard error that says how far a long work has come, if that is a terminal; it disappears at
 /// the end.
 pub struct Progress {

@@ -24,8 +24,8 @@
 //! This package's own tests:
 //!
 //! ```text
-//! course/   the lessons' folders are whole; the missions as a student meets them; a lesson more
-//! files/    bad files, and the assets made again
+//! files/      bad files, and the assets made again
+//! platforms/  the pictures, their bytes counted, on other platforms
 //! ```
 
 pub mod stability;

@@ -7,8 +7,12 @@ pub(crate) mod picture;
 pub(crate) mod shape;
 pub mod sheet;
 
+use std::collections::BTreeMap;
+use std::num::NonZero;
 use std::panic::Location;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use anyhow::Context;
 use common::Image;
@@ -60,16 +64,29 @@ impl Drawn {
     }
 }
 
-/// Draws all figures.
+/// Draws all figures, on all of the machine's cores.
 ///
 /// # Errors
 /// Where one cannot be drawn.
 pub fn draw() -> anyhow::Result<Vec<Drawn>> {
-    let draw = |figure: &'static Figure| {
-        let drawing = (figure.draw)().with_context(|| format!("the figure {}", figure.name))?;
-        Ok(Drawn { figure, drawing })
+    let figures: Vec<&Figure> = all().collect();
+    let next = AtomicUsize::new(0);
+    let drawn: Mutex<BTreeMap<usize, anyhow::Result<Drawn>>> = Mutex::default();
+    let work = || {
+        loop {
+            let n = next.fetch_add(1, Ordering::Relaxed);
+            let Some(figure) = figures.get(n) else { return };
+            let drawing = (figure.draw)().with_context(|| format!("the figure {}", figure.name));
+            let one = drawing.map(|drawing| Drawn { figure, drawing });
+            drawn.lock().unwrap_or_else(PoisonError::into_inner).insert(n, one);
+        }
     };
-    all().map(draw).collect()
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, NonZero::get) {
+            scope.spawn(work);
+        }
+    });
+    drawn.into_inner().unwrap_or_else(PoisonError::into_inner).into_values().collect()
 }
 
 /// Writes figures into a folder, which is made if need be.

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use common::Table;
 
 use crate::figures::Figure;
-use crate::table::Chart;
+#[cfg(feature = "measure")]
+use crate::measuring::table::Chart;
 
 #[path = "../../lessons/08-camera/mod.rs"]
 pub(crate) mod camera;
@@ -13,6 +14,8 @@ pub(crate) mod camera;
 pub(crate) mod gouraud;
 #[path = "../../lessons/01-lines/mod.rs"]
 pub(crate) mod lines;
+#[path = "../../lessons/10-perspective/mod.rs"]
+pub(crate) mod perspective;
 #[path = "../../lessons/09-shaders/mod.rs"]
 pub(crate) mod shaders;
 #[path = "../../lessons/05-textures/mod.rs"]
@@ -37,6 +40,7 @@ pub const LESSONS: &[Lesson] = &[
     transforms::LESSON,
     camera::LESSON,
     shaders::LESSON,
+    perspective::LESSON,
 ];
 
 /// What the book shows of a lesson.
@@ -52,6 +56,7 @@ pub struct Lesson {
     /// The figures of its chapter.
     pub(crate) figures: &'static [Figure],
     /// Its charts: for each table of methods one or more.
+    #[cfg(feature = "measure")]
     pub(crate) charts: &'static [Chart],
 }
 
@@ -83,6 +88,7 @@ pub fn tables() -> impl Iterator<Item = (String, &'static Table)> {
 }
 
 /// Every chart of methods, in the order of the lessons.
+#[cfg(feature = "measure")]
 pub(crate) fn all_charts() -> Vec<&'static Chart> {
     LESSONS.iter().flat_map(|lesson| lesson.charts).collect()
 }

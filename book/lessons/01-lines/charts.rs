@@ -5,8 +5,8 @@ use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2Swizzles};
 use fastrand::Rng;
 use lines::{Line, METHODS};
 
-use crate::measure::{Effort, Errors, Work};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 /// How a method draws.
 type Draw = fn(IVec2, IVec2, &mut Image, Color);

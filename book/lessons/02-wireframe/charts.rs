@@ -7,9 +7,9 @@ use common::{Color, Format, Image, Method, Model, Vec3};
 use fastrand::Rng;
 use wireframe::{METHODS, Wireframe};
 
-use crate::measure::{Effort, Errors, Work};
-use crate::models::{USUAL, sphere};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::models::{USUAL, sphere};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const CHART: Chart = Chart {
     name: "02-wireframe",

@@ -7,8 +7,8 @@ use common::{Bounds, Color, Format, IVec2, Image, Method, Vec2};
 use fastrand::Rng;
 use triangles::{METHODS, Triangle};
 
-use crate::measure::{Effort, Errors, Work};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const CHART: Chart = Chart {
     name: "03-triangles",

@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod answers;
+#[cfg(feature = "measure")]
 pub(crate) mod charts;
 pub(crate) mod figures;
 
@@ -16,5 +17,6 @@ pub(crate) const LESSON: Lesson = Lesson {
         Picture { name: "flat", flags: &["--model"] },
     ],
     figures: figures::FIGURES,
+    #[cfg(feature = "measure")]
     charts: &[charts::CHART],
 };

@@ -5,9 +5,9 @@ use common::{Color, Format, Image, Method, Vec3};
 use fastrand::Rng;
 use zbuffer::{METHODS, Surface, Visibility, surfaces};
 
-use crate::measure::{Effort, Errors, Work};
-use crate::models::{TRIANGLES, USUAL, sphere};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::models::{TRIANGLES, USUAL, sphere};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const CHART: Chart = Chart {
     name: "04-zbuffer",

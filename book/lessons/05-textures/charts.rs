@@ -5,9 +5,9 @@ use common::{Color, Format, Image, Method, Vec2, Vec3};
 use fastrand::Rng;
 use textures::{METHODS, Sampler};
 
-use crate::measure::{Effort, Errors, Work};
-use crate::models::{TRIANGLES, USUAL, sphere, texture};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::models::{TRIANGLES, USUAL, sphere, texture};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const CHART: Chart = Chart {
     name: "05-textures",

@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod answers;
+#[cfg(feature = "measure")]
 pub(crate) mod charts;
 pub(crate) mod figures;
 
@@ -13,5 +14,6 @@ pub(crate) const LESSON: Lesson = Lesson {
     picture: "The head without facets",
     more_pictures: &[],
     figures: figures::FIGURES,
+    #[cfg(feature = "measure")]
     charts: &[charts::CHART],
 };

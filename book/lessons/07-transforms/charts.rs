@@ -7,8 +7,8 @@ use transforms::inverse::{INVERSES, Invert};
 use transforms::rotation::{ROTATIONS, Rotate};
 use transforms::{Compose, METHODS};
 
-use crate::measure::{Effort, Errors, Work};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 /// Half a pixel where a length of 1 takes up half of 800 px.
 const HALF_PIXEL: (f64, &str) = (0.5 / 400.0, "within ½ px of 800");

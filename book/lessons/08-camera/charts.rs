@@ -8,8 +8,8 @@ use common::{Method, Vec3};
 use fastrand::Rng;
 use glam::DVec3;
 
-use crate::measure::{Effort, Errors, Work};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 /// Pixels to a length of 1 in a picture of 800×800.
 const PIXELS: f64 = 400.0;

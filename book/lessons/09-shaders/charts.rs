@@ -5,10 +5,10 @@ use gouraud::corner_normals;
 use shaders::{Draw, Framebuffer, Look, METHODS, SHADERS, Uniforms};
 
 use crate::lessons::gouraud::charts::light;
-use crate::measure::{Effort, Errors, Work};
-use crate::models::{TRIANGLES, USUAL, sphere, texture};
-use crate::scene::{EYE, Subject, channels, draw, exact};
-use crate::table::{Chart, Quantity, Series, Sizes, Stability};
+use crate::measuring::measure::{Effort, Errors, Work};
+use crate::measuring::models::{TRIANGLES, USUAL, sphere, texture};
+use crate::measuring::scene::{EYE, Subject, channels, draw, exact};
+use crate::measuring::table::{Chart, Quantity, Series, Sizes, Stability};
 
 pub(crate) const METHODS_CHART: Chart = Chart {
     name: "09-shaders",

@@ -1,5 +1,6 @@
 //! What the book shows of lesson 9, beside its chapter.
 
+#[cfg(feature = "measure")]
 pub(crate) mod charts;
 pub(crate) mod figures;
 
@@ -14,5 +15,6 @@ pub(crate) const LESSON: Lesson = Lesson {
         flags: &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"],
     }],
     figures: figures::FIGURES,
+    #[cfg(feature = "measure")]
     charts: &[charts::METHODS_CHART, charts::WHITE_CHART, charts::TEXTURED_CHART],
 };

@@ -160,6 +160,12 @@ pub struct TexturedModelFlags {
 }
 
 impl TexturedModelFlags {
+    /// Whether `--model` was given.
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        self.model.file.is_some()
+    }
+
     /// Reads the model, with texture coordinates, and its texture: the one asked for, the head's for the head, or
     /// the model's own; where that has none, a checker. Which one a model of the user's has is told.
     ///

@@ -79,7 +79,16 @@ impl<D: Copy + PartialOrd + Into<f64>> DepthBuffer<D> {
     /// The depths in grey: the nearest is white, the farthest the darkest grey; where nothing is stays black.
     #[must_use]
     pub fn picture(&self) -> Image {
-        let drawn = || self.depths.iter().filter(|&&depth| depth != self.nothing).map(|&depth| depth.into());
+        self.picture_by(D::into)
+    }
+}
+
+impl<D: Copy + PartialOrd> DepthBuffer<D> {
+    /// The same where `nearness`, larger for what is nearer, is what the grey levels are to show.
+    #[must_use]
+    pub fn picture_by(&self, nearness: impl Fn(D) -> f64) -> Image {
+        let drawn =
+            || self.depths.iter().filter(|&&depth| depth != self.nothing).map(|&depth| nearness(depth));
         let (far, near) = drawn().fold((f64::INFINITY, f64::NEG_INFINITY), |(far, near), depth: f64| {
             (far.min(depth), near.max(depth))
         });
@@ -88,7 +97,7 @@ impl<D: Copy + PartialOrd + Into<f64>> DepthBuffer<D> {
         for (y, x) in (0..=bounds.max.y).flat_map(|y| (0..=bounds.max.x).map(move |x| (y, x))) {
             let depth = self.get(x, y);
             if depth != self.nothing {
-                let share = if near > far { (depth.into() - far) / (near - far) } else { 1.0 };
+                let share = if near > far { (nearness(depth) - far) / (near - far) } else { 1.0 };
                 let level = (1.0 + share * 254.0).round() as u8;
                 picture.set(x, y, Color::rgb(level, level, level));
             }

@@ -101,6 +101,14 @@ pub struct Lit<'a, S, L> {
     lighting: L,
 }
 
+impl<'a, S: Source, L: Lighting> Lit<'a, S, L> {
+    /// With what both read.
+    #[must_use]
+    pub fn new(uniforms: Uniforms<'a>, source: S, lighting: L) -> Self {
+        Self { uniforms, source, lighting }
+    }
+}
+
 impl<S: Source, L: Lighting> Shader for Lit<'_, S, L> {
     type Constant = L::Constant;
     type Varying = (S::Varying, L::Varying);
@@ -166,7 +174,7 @@ pub fn draw(
     lighting: impl Lighting,
     target: &mut Framebuffer,
 ) -> usize {
-    let shader = Lit { uniforms: *uniforms, source, lighting };
+    let shader = Lit::new(*uniforms, source, lighting);
     render(&shader, uniforms.model.positions().len(), uniforms.model.triangles(), target)
 }
 
@@ -177,7 +185,7 @@ fn draw_dynamic<S: Source + Default, L: Lighting + Default>(
     uniforms: &Uniforms,
     target: &mut Framebuffer,
 ) -> usize {
-    let shader = Lit { uniforms: *uniforms, source: S::default(), lighting: L::default() };
+    let shader = Lit::new(*uniforms, S::default(), L::default());
     // Without the box the compiler might see which one it is, and call it directly.
     let shader: AnyShader<L::Constant, (S::Varying, L::Varying)> = black_box(&shader);
     render(shader, uniforms.model.positions().len(), uniforms.model.triangles(), target)

@@ -5,6 +5,7 @@
 //! | [`segment`] | the ideal line, in rational numbers |
 //! | [`coverage`] | the pixels of a triangle and their weights, in `i128` |
 //! | [`visibility`] | the nearest of several triangles, in `f64` |
+//! | [`clipspace`] | which side of a triangle of clip space is seen, in `i128`; what a ray meets of it, in `f64` |
 //! | [`texel`] | the texel of a texture coordinate, in `i128` |
 //! | [`sphere`] | a smooth sphere under a light, by its equation |
 //! | [`matrix`] | the inverse of a matrix, in rational numbers |
@@ -12,14 +13,19 @@
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
 //! | [`vertex`] | the pixel of a model's vertex, in whole numbers |
 //! | [`supersampled`] | a lit scene under a camera, in `f64`, with as many samples a pixel as wanted |
+//! | [`ray`] | what a ray from an eye meets, in `f64` |
+//! | [`camera`] | a frustum's matrix, and the distance of a depth, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
 //! compared by `common`, as under `--compare`.
 
+pub mod camera;
+pub mod clipspace;
 pub mod coverage;
 pub mod matrix;
 pub mod picture;
+pub mod ray;
 pub mod segment;
 pub mod sphere;
 pub mod supersampled;

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use tasks::{Answer, COURSE, SEED, attempt};
 
+use super::fault::Row;
 use super::{Judge, Verdict};
 
 impl<F> Judge<F> {
@@ -53,13 +54,15 @@ impl<F> Judge<F> {
             for (fault, version) in
                 self.faults.iter().flat_map(|fault| fault.versions.iter().map(move |v| (fault, v)))
             {
-                let rows: Vec<_> = keys.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
-                let found = (0..rows.len()).find_map(|n| {
-                    let (key, tasks) = rows[n];
-                    let answers: Vec<Answer> = tasks.iter().map(|task| attempt(task, version)).collect();
-                    let verdict = key.judge(&answers);
-                    let wrong = !verdict.wrong.is_empty();
-                    wrong.then(|| (verdict, self.faults_of(&rows[..n], rows[n], &answers)))
+                let mut answers: Vec<Vec<Answer>> = Vec::new();
+                let found = keys.iter().zip(&tasks).find_map(|(key, own)| {
+                    answers.push(own.iter().map(|task| attempt(task, version)).collect());
+                    let verdict = key.judge(answers.last()?);
+                    let rows: Vec<Row<F>> = (keys.iter().zip(&tasks).zip(&answers))
+                        .map(|((key, tasks), answers)| (key, &tasks[..], &answers[..]))
+                        .collect();
+                    let (&row, before) = rows.split_last()?;
+                    (!verdict.wrong.is_empty()).then(|| (verdict, self.faults_of(before, row)))
                 });
                 let (verdict, faults) = found.unwrap_or_else(|| panic!("{:?} earns all", fault.cause));
                 let causes: Vec<&str> = faults.iter().map(|fault| fault.cause).collect();

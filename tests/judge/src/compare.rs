@@ -126,7 +126,13 @@ impl fmt::Display for Finding {
             }
             Self::WrongValue { expected, got } => write!(f, "gave {got}, expected {expected}"),
             Self::WrongNumber { count, row, column, expected, got } => {
-                write!(f, "gave {got} in row {row}, column {column} of the matrix, expected {expected}")?;
+                // As glam names it.
+                let entry = ["x", "y", "z", "w"].get(*column).zip(["x", "y", "z", "w"].get(*row));
+                let entry = entry.map(|(axis, part)| format!(", {axis}_axis.{part},")).unwrap_or_default();
+                write!(
+                    f,
+                    "gave {got} in row {row}, column {column}{entry} of the matrix, expected {expected}"
+                )?;
                 match count {
                     1 => Ok(()),
                     2 => write!(f, "; another number is wrong"),

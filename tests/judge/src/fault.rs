@@ -5,6 +5,9 @@ use tasks::{Answer, Precision, Task, attempt};
 use super::compare::compare;
 use super::{AnswerKey, Judge, Question};
 
+/// A check's questions, its tasks, and the answers to them.
+pub(crate) type Row<'a, F> = (&'a AnswerKey, &'a [Task<F>], &'a [Answer]);
+
 /// A mistake that students make.
 pub struct Fault<F: 'static> {
     /// What was done, and the cure.
@@ -18,26 +21,22 @@ pub struct Fault<F: 'static> {
 impl<F> Fault<F> {
     /// The cause, and where to find help.
     pub(crate) fn told(&self, lesson: &str) -> String {
-        let chapter = lesson.split_once('-').map_or(lesson, |(number, _)| number).trim_start_matches('0');
+        let chapter = tasks::number(lesson);
         let hint = self.hint.map(|hint| format!(" (hint {hint} of chapter {chapter})"));
         format!("{}{}", self.cause, hint.unwrap_or_default())
     }
 }
 
 impl<F> Judge<F> {
-    /// The faults that, on each input of a check, give what was answered. `before` are the checks that come before it
-    /// where these were passed: a fault that fails one of them is not what is wrong.
-    pub(crate) fn faults_of(
-        &self,
-        before: &[(&AnswerKey, &[Task<F>])],
-        (key, tasks): (&AnswerKey, &[Task<F>]),
-        answers: &[Answer],
-    ) -> Vec<&Fault<F>> {
+    /// The faults that, on each input of a check, give what was answered. `before` are the checks that come before it: a
+    /// fault that fails one of them in another way than the answers do is not what is wrong. One that passes it may be, as
+    /// there may be two.
+    pub(crate) fn faults_of(&self, before: &[Row<F>], row: Row<F>) -> Vec<&Fault<F>> {
         let right = |question: &Question, answer: &Answer| matches!(answer, Answer::Raw(raw) if question.differs(raw).is_empty());
-        let passes = |version: &F, (key, tasks): &(&AnswerKey, &[Task<F>])| {
+        let passes = |version: &F, &(key, tasks, _): &Row<F>| {
             tasks.iter().zip(&key.questions).all(|(task, question)| right(question, &attempt(task, version)))
         };
-        let gives = |version: &F| {
+        let gives = |version: &F, &(key, tasks, answers): &Row<F>| {
             let mut wrong = false;
             let same = tasks.iter().zip(&key.questions).zip(answers).all(|((task, question), answer)| {
                 let own = attempt(task, version);
@@ -46,7 +45,10 @@ impl<F> Judge<F> {
             });
             same && wrong && answers.len() == tasks.len()
         };
-        let is_it = |version: &F| gives(version) && before.iter().all(|row| passes(version, row));
+        let is_it = |version: &F| {
+            let agrees = |row: &Row<F>| passes(version, row) || gives(version, row);
+            gives(version, &row) && before.iter().all(agrees)
+        };
         self.faults.iter().filter(|fault| fault.versions.iter().any(is_it)).collect()
     }
 }

@@ -34,7 +34,15 @@ impl<F> Judge<F> {
                 format!("println!(\"got {{got:?}}, expected {expected}\");")
             }
             Raw::Picture(_) => {
-                format!("got.write(\"input-{n}.png\".as_ref()).expect(\"it can be written\");")
+                // Tests run in the package's folder.
+                let lines = [
+                    "std::fs::create_dir_all(\"../../../out\").expect(\"a folder can be made\");".to_string(),
+                    format!(
+                        "got.write(\"../../../out/input-{n}.png\".as_ref()).expect(\"it can be written\");"
+                    ),
+                    format!("println!(\"see out/input-{n}.png\");"),
+                ];
+                lines.join("\n    ")
             }
             Raw::Depths { .. } => "let _ = got;".into(),
         };

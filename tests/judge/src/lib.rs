@@ -14,6 +14,7 @@ mod enlarge;
 mod fault;
 mod input;
 mod mark;
+pub mod marks;
 mod report;
 mod show;
 
@@ -25,6 +26,7 @@ use tasks::{Answer, Mission, Precision, Raw, Task};
 
 pub use compare::{Finding, Verdict, Wrong};
 pub use fault::Fault;
+use fault::Row;
 pub use mark::picture_files;
 
 /// A mission, and what is right.
@@ -87,17 +89,24 @@ impl<F> Judge<F> {
         let all = self.mission.checks.iter().zip(self.mission.tasks(seed));
         let asked = all.filter(|(check, _)| keys.iter().any(|key| key.name == check.name));
         let tasks: Vec<Vec<Task<F>>> = asked.map(|(_, tasks)| tasks).collect();
-        let rows: Vec<_> = keys.iter().zip(tasks.iter().map(Vec::as_slice)).collect();
         let mut rest = answers;
+        let mut take = |count: usize| {
+            let (own, others) = rest.split_at(count.min(rest.len()));
+            rest = others;
+            own
+        };
+        let rows: Vec<Row<F>> = keys
+            .iter()
+            .zip(&tasks)
+            .map(|(key, tasks)| (key, &tasks[..], take(key.questions.len())))
+            .collect();
         // What the first wrong check shows is looked for in those after it.
         let mut named: Option<Vec<&Fault<F>>> = None;
-        let verdict = |(n, &key): (usize, &(&AnswerKey, &[Task<F>]))| {
-            let (own, others) = rest.split_at(key.0.questions.len().min(rest.len()));
-            rest = others;
-            let mut verdict = key.0.judge(own);
+        let verdict = |(n, &row): (usize, &Row<F>)| {
+            let (key, _, own) = row;
+            let mut verdict = key.judge(own);
             if !verdict.wrong.is_empty() {
-                let before = if named.is_none() { &rows[..n] } else { &[] };
-                let mut faults = self.faults_of(before, key, own);
+                let mut faults = self.faults_of(&rows[..n], row);
                 match &named {
                     None => named = Some(faults.clone()),
                     Some(named) => {

@@ -1,18 +1,9 @@
 //! Verdicts as text, for a student.
 
-use std::path::Path;
-
-use tasks::COURSE;
-
 use super::{AnswerKey, Finding, Verdict};
 
 /// The verdicts as text, on some checks or on all.
-pub(crate) fn report(
-    lesson: &str,
-    keys: &[AnswerKey],
-    verdicts: &[Verdict],
-    all: bool,
-) -> anyhow::Result<String> {
+pub(crate) fn report(lesson: &str, keys: &[AnswerKey], verdicts: &[Verdict], all: bool) -> String {
     let width = verdicts.iter().map(|verdict| verdict.name.len()).max().unwrap_or(0);
     let mut lines = Vec::new();
     for (verdict, key) in verdicts.iter().zip(keys) {
@@ -41,23 +32,16 @@ pub(crate) fn report(
             ));
         }
     }
-    if !all {
-        return Ok(lines.join("\n") + "\n");
+    if all {
+        let (earned, of) = points(verdicts);
+        lines.push(format!("{lesson}: {earned} of {of} points"));
     }
-    let [earned, of] = [Verdict::earned, |verdict: &Verdict| verdict.points]
-        .map(|points: fn(&Verdict) -> u32| verdicts.iter().map(points).sum::<u32>());
-    lines.push(format!("{lesson}: {earned} of {of} points"));
-    if earned == of {
-        let next = tasks::lessons(Path::new(COURSE))?.into_iter().find(|next| next.as_str() > lesson);
-        lines.push(match next {
-            Some(next) => format!(
-                "Next: lessons/{next}/mission/src/lib.rs, and `cargo run -p my-{}`",
-                tasks::name(&next)
-            ),
-            None => "That was the last mission of this part.".into(),
-        });
-    }
-    Ok(lines.join("\n") + "\n")
+    lines.join("\n") + "\n"
+}
+
+/// The points of checks, and those that there are.
+pub(crate) fn points(verdicts: &[Verdict]) -> (u32, u32) {
+    (verdicts.iter().map(Verdict::earned).sum(), verdicts.iter().map(|verdict| verdict.points).sum())
 }
 
 /// An input and what is wrong with its result, in one line.

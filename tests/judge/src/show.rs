@@ -2,30 +2,31 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
+use std::{fs, io};
 
 use anyhow::{Context, bail};
 use checks::picture::distance;
 use common::compare::{Difference, side_by_side};
 use common::terminal::{eprintln, print};
 use common::{Color, Format, IVec2, Image, preview};
-use tasks::{Answer, Raw, SEED, Shape};
+use tasks::{Answer, COURSE, Raw, SEED, Shape};
 
 use super::ask::ask;
 use super::enlarge::{self, enlarged, shape_at};
-use super::report::{report, said};
-use super::{AnswerKey, Finding, Judge, Question, Verdict};
+use super::report::{points, report, said};
+use super::{AnswerKey, Finding, Judge, Question, Verdict, marks};
 
 /// What a student's program answers to the questions of one check, or of all.
 fn answers(program: &Path, keys: &[AnswerKey], check: Option<&str>) -> anyhow::Result<Vec<Answer>> {
     let folder = std::env::temp_dir().join(format!("pixel-by-pixel-{}", std::process::id()));
-    std::fs::create_dir(&folder).context("cannot make a folder for the answers")?;
+    fs::create_dir(&folder).context("cannot make a folder for the answers")?;
     let questions: Vec<usize> = keys.iter().map(|key| key.questions.len()).collect();
     let answers = ask(&questions, &folder, |file, from| {
         let mut child = Command::new(program);
         child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]).args(check);
         child.spawn().with_context(|| format!("cannot start {}", program.display()))
     });
-    std::fs::remove_dir_all(&folder).context("cannot remove the folder of the answers")?;
+    fs::remove_dir_all(&folder).context("cannot remove the folder of the answers")?;
     answers
 }
 
@@ -48,8 +49,12 @@ impl<F> Judge<F> {
                 names.collect::<Vec<_>>().join(", ")
             );
         }
+        let source = self.source();
         let answers = answers(program, &keys, check)?;
         let verdicts = self.judge(SEED, &keys, &answers);
+        if check.is_none() {
+            self.keep(&verdicts, source);
+        }
         let unwritten = |answer: &Answer| match answer {
             Answer::Unwritten(said) => Some(said.clone()),
             _ => None,
@@ -62,7 +67,7 @@ impl<F> Judge<F> {
         }
 
         if let Some(Shown { title, pictures, pixel, shape }) = self.shown(&keys, &answers, &verdicts) {
-            std::fs::create_dir_all("out").context("cannot create the folder out/")?;
+            fs::create_dir_all("out").context("cannot create the folder out/")?;
             let path = PathBuf::from("out").join(format!("my-{lesson}.png"));
             let picture = side_by_side(&pictures.each_ref()).map_err(anyhow::Error::msg)?;
             picture.write(&path)?;
@@ -84,14 +89,33 @@ impl<F> Judge<F> {
                 }
                 // That of an earlier run would mislead.
                 None if path.exists() => {
-                    std::fs::remove_file(&path).context("cannot remove an old picture")?;
+                    fs::remove_file(&path).context("cannot remove an old picture")?;
                 }
                 None => (),
             }
         }
-        print(&report(lesson, &keys, &verdicts, check.is_none())?)?;
+        print(&report(lesson, &keys, &verdicts, check.is_none()))?;
+        if check.is_none() {
+            print(&marks::onward(Path::new(COURSE), lesson)?)?;
+        }
         let all = verdicts.iter().all(|verdict| verdict.wrong.is_empty());
         Ok(if all { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    }
+
+    /// What the student wrote. It is read before the program is asked: whoever saves while it answers gets the mark of
+    /// what was there.
+    fn source(&self) -> io::Result<String> {
+        fs::read_to_string(marks::source(Path::new(COURSE), self.mission.lesson))
+    }
+
+    /// Keeps the mark of a run of all checks. Where that cannot be, the verdicts are still worth telling.
+    fn keep(&self, verdicts: &[Verdict], source: io::Result<String>) {
+        let kept = source.context("cannot read the mission's lib.rs").and_then(|source| {
+            marks::keep(Path::new(COURSE), self.mission.lesson, points(verdicts), &source)
+        });
+        if let Err(error) = kept {
+            eprintln(format_args!("The mark is not kept: {error:#}"));
+        }
     }
 
     /// What is to be seen: the first picture that is wrong, or else that of the lesson.
@@ -137,8 +161,10 @@ impl<F> Judge<F> {
             return print(&list).map(|()| ExitCode::SUCCESS);
         }
         let mut keys = self.key(SEED);
+        let source = self.source();
         let answers = answers(program, &keys, None)?;
         let mut verdicts = self.judge(SEED, &keys, &answers);
+        self.keep(&verdicts, source);
         keys.retain(|key| chosen(key.name));
         verdicts.retain(|verdict| chosen(verdict.name));
         let mut text = format!("\nrunning {} tests\n", verdicts.len());

@@ -1,6 +1,6 @@
 //! Wrong versions of mission 2, by which the judge knows what was done.
 
-use common::{Color, DVec2, IVec2, Image, Model, Vec2, Vec3};
+use common::{Color, DVec2, IVec2, Image, Model, Vec2, Vec2Swizzles, Vec3};
 use judge::Fault;
 use wireframe_tasks::Wireframe;
 
@@ -25,23 +25,89 @@ pub(crate) const FAULTS: &[Fault<Wireframe>] = &[
         }],
     },
     Fault {
-        cause: "half as large: from -1 to 1 are 2, so it is (x + 1) * width / 2, and x = -1 is column 0",
+        cause: "x = -1 is not at the left border: 1 is added before anything else, (x + 1) * width / 2",
         hint: Some(1),
         versions: &[
             Wireframe { to_pixel: |p, image| pixel((flat(p) * size(image)).floor()), ..RIGHT },
             Wireframe { to_pixel: |p, image| pixel((flat(p) * size(image) / 2.0).floor()), ..RIGHT },
+            Wireframe { to_pixel: |p, image| or_last(p, image, (flat(p) * size(image)).floor()), ..RIGHT },
+            Wireframe {
+                to_pixel: |p, image| or_last(p, image, (flat(p) * size(image) / 2.0).floor()),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "twice as large as the picture: from -1 to 1 are 2, so it is halved, (x + 1) * width / 2",
+        hint: Some(1),
+        versions: &[
+            Wireframe { to_pixel: |p, image| pixel(((flat(p) + 1.0) * size(image)).floor()), ..RIGHT },
+            Wireframe {
+                to_pixel: |p, image| or_last(p, image, ((flat(p) + 1.0) * size(image)).floor()),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "cut off before it is stretched: of x + 1 only 0, 1 or 2 is left; multiply first",
+        hint: Some(1),
+        versions: &[
+            Wireframe { to_pixel: |p, image| pixel((flat(p) + 1.0).floor() * size(image) / 2.0), ..RIGHT },
+            Wireframe {
+                to_pixel: |p, image| or_last(p, image, (flat(p) + 1.0).floor() * size(image) / 2.0),
+                ..RIGHT
+            },
+            Wireframe {
+                to_pixel: |p, image| or_last(p, image, (flat(p) + 1.0).trunc() * size(image) / 2.0),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "half of an odd width has a fraction, which whole numbers drop: halve a float",
+        hint: None,
+        versions: &[
+            Wireframe {
+                to_pixel: |p, image| {
+                    or_last(p, image, ((flat(p) + 1.0) * (size(image) / 2.0).floor()).floor())
+                },
+                ..RIGHT
+            },
+            Wireframe {
+                to_pixel: |p, image| pixel(((flat(p) + 1.0) * (size(image) / 2.0).floor()).floor()),
+                ..RIGHT
+            },
         ],
     },
     Fault {
         cause: "the width is used for y as well: rows are counted by the height",
         hint: None,
-        versions: &[Wireframe {
-            to_pixel: |p, image| {
-                let exact = ((flat(p) + 1.0) * f64::from(image.width()) / 2.0).floor();
-                or_last(p, image, exact)
+        versions: &[
+            Wireframe {
+                to_pixel: |p, image| {
+                    let exact = ((flat(p) + 1.0) * f64::from(image.width()) / 2.0).floor();
+                    or_last(p, image, exact)
+                },
+                ..RIGHT
             },
-            ..RIGHT
-        }],
+            Wireframe { to_pixel: |p, image| counted(p, [image.width(); 2]), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "width and height are swapped: x is stretched to the width, y to the height",
+        hint: None,
+        versions: &[
+            Wireframe { to_pixel: |p, image| counted(p, [image.height(), image.width()]), ..RIGHT },
+            Wireframe {
+                to_pixel: |p, image| pixel(((flat(p) + 1.0) * size(image).yx() / 2.0).floor()),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "column and row are swapped: the pixel is IVec2::new(column, row)",
+        hint: None,
+        versions: &[Wireframe { to_pixel: |p, image| wireframe::to_pixel(p, image).yx(), ..RIGHT }],
     },
     Fault {
         cause: "it is upside down: y points up, row 0 is the lowest",
@@ -85,6 +151,32 @@ pub(crate) const FAULTS: &[Fault<Wireframe>] = &[
         versions: &[Wireframe { to_pixel: |p, image| pixel(stretched(p, image).floor()), ..RIGHT }],
     },
     Fault {
+        cause: "the border has its rule in one direction only: at x = 1 the column is width - 1, at y = 1 the row \
+                height - 1",
+        hint: Some(3),
+        versions: &[
+            Wireframe {
+                to_pixel: |p, image| or_last(p.with_y(0.0), image, stretched(p, image).floor()),
+                ..RIGHT
+            },
+            Wireframe {
+                to_pixel: |p, image| or_last(p.with_x(0.0), image, stretched(p, image).floor()),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "the rule of the border is for 1, not for -1: x = -1 is column 0",
+        hint: Some(3),
+        versions: &[Wireframe {
+            to_pixel: |p, image| {
+                let at = |x: f32| if x.abs() == 1.0 { 1.0 } else { x };
+                wireframe::to_pixel(Vec3::new(at(p.x), at(p.y), 0.0), image)
+            },
+            ..RIGHT
+        }],
+    },
+    Fault {
         cause: "cut off towards 0: below 0 that is inwards; floor() goes down everywhere",
         hint: Some(2),
         versions: &[
@@ -101,25 +193,23 @@ pub(crate) const FAULTS: &[Fault<Wireframe>] = &[
                 to_pixel: |p, image| pixel(stretched(p, image).floor()).clamp(IVec2::ZERO, last(image)),
                 ..RIGHT
             },
-        ],
-    },
-    Fault {
-        cause: "computed in f32: x + 1 loses the last bits of x, so a point next to a border moves across; use f64",
-        hint: None,
-        versions: &[
-            Wireframe {
-                to_pixel: |p, image| or_last(p, image, in_f32(p, image).floor().as_dvec2()),
-                ..RIGHT
-            },
+            // The column that is named `width`, with all that is in it.
             Wireframe {
                 to_pixel: |p, image| {
-                    let cut = in_f32(p, image).floor().as_ivec2();
-                    // The columns named `width` moved onto the border, as at 1.
+                    let cut = pixel(stretched(p, image).floor());
                     cut - IVec2::new((cut.x == image.width()).into(), (cut.y == image.height()).into())
                 },
                 ..RIGHT
             },
         ],
+    },
+    Fault {
+        cause: "computed in f32: x + 1 loses the last bits of x, so a point next to a border moves across; use f64",
+        hint: None,
+        versions: &[Wireframe {
+            to_pixel: |p, image| or_last(p, image, in_f32(p, image).floor().as_dvec2()),
+            ..RIGHT
+        }],
     },
     Fault {
         cause: "a side of each triangle is missing: the third one goes from c back to a",
@@ -129,6 +219,38 @@ pub(crate) const FAULTS: &[Fault<Wireframe>] = &[
             Wireframe { wireframe: |model, image, color| some_sides(model, image, color, [1, 2]), ..RIGHT },
             Wireframe { wireframe: |model, image, color| some_sides(model, image, color, [0, 2]), ..RIGHT },
         ],
+    },
+    Fault {
+        cause: "only the corners are drawn: line() draws what is between two of them",
+        hint: None,
+        versions: &[Wireframe {
+            wireframe: |model, image, color| {
+                for corner in model.faces().flatten() {
+                    let at = wireframe::to_pixel(corner, image);
+                    image.set(at.x, at.y, color);
+                }
+            },
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "a triangle with a corner outside of the picture is left out: draw it, what is outside draws nothing",
+        hint: None,
+        versions: &[Wireframe {
+            wireframe: |model, image, color| {
+                let bounds = image.bounds();
+                let inside = |corner: Vec3| {
+                    let at = wireframe::to_pixel(corner, image);
+                    bounds.contains(at.x, at.y)
+                };
+                let kept: Vec<[Vec3; 3]> =
+                    model.faces().filter(|corners| corners.iter().all(|&corner| inside(corner))).collect();
+                for corners in kept {
+                    outline(corners, image, color, [0, 1, 2]);
+                }
+            },
+            ..RIGHT
+        }],
     },
     Fault {
         cause: "the colour is always white: use the one that is given",
@@ -172,12 +294,25 @@ fn or_last(point: Vec3, image: &Image, exact: DVec2) -> IVec2 {
     IVec2::new(if point.x == 1.0 { last.x } else { pixel.x }, if point.y == 1.0 { last.y } else { pixel.y })
 }
 
+/// As many columns and rows as are said.
+fn counted(point: Vec3, sizes: [i32; 2]) -> IVec2 {
+    let number = |x: f32, size: i32| match x {
+        1.0 => size - 1,
+        x => ((f64::from(x) + 1.0) * f64::from(size) / 2.0).floor() as i32,
+    };
+    IVec2::new(number(point.x, sizes[0]), number(point.y, sizes[1]))
+}
+
 fn some_sides(model: &Model, image: &mut Image, color: Color, sides: [usize; 2]) {
     for corners in model.faces() {
-        let corners = corners.map(|corner| wireframe::to_pixel(corner, image));
-        for n in sides {
-            lines::line(corners[n], corners[(n + 1) % 3], image, color);
-        }
+        outline(corners, image, color, sides);
+    }
+}
+
+fn outline(corners: [Vec3; 3], image: &mut Image, color: Color, sides: impl IntoIterator<Item = usize>) {
+    let corners = corners.map(|corner| wireframe::to_pixel(corner, image));
+    for n in sides {
+        lines::line(corners[n], corners[(n + 1) % 3], image, color);
     }
 }
 

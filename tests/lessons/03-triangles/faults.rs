@@ -64,6 +64,61 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
         ],
     },
     Fault {
+        cause: "the last row and column of the bounds are left out: bounds.max is the last pixel that may be visited",
+        hint: None,
+        versions: &[Triangles {
+            fill: |c, bounds, visit| right(c, Bounds { max: bounds.max - 1, ..bounds }, visit),
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "a small triangle is given up: with less than half a pixel it may cover a centre, only without area it \
+                covers none",
+        hint: None,
+        versions: &[
+            Triangles {
+                fill: |c, bounds, visit| {
+                    if area(c.map(Vec2::as_dvec2)).abs() >= 1.0 {
+                        right(c, bounds, visit);
+                    }
+                },
+                ..RIGHT
+            },
+            Triangles {
+                fill: |c, bounds, visit| {
+                    if area(c.map(Vec2::as_dvec2)).abs() >= 1.0 {
+                        ask(c, bounds, visit, CENTER, not_negative);
+                    }
+                },
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "x and y are swapped: it is visit(x, y, weights)",
+        hint: None,
+        versions: &[Triangles {
+            fill: |c, bounds, visit| triangles::fill(c, bounds, |x, y, weights| visit(y, x, weights)),
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "the corners are moved to whole pixels: they may lie anywhere",
+        hint: None,
+        versions: &[
+            Triangles { fill: |c, bounds, visit| right(c.map(Vec2::floor), bounds, visit), ..RIGHT },
+            Triangles { fill: |c, bounds, visit| right(c.map(Vec2::round), bounds, visit), ..RIGHT },
+            Triangles {
+                fill: |c, bounds, visit| ask(c.map(Vec2::floor), bounds, visit, CENTER, not_negative),
+                ..RIGHT
+            },
+            Triangles {
+                fill: |c, bounds, visit| ask(c.map(Vec2::round), bounds, visit, CENTER, not_negative),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
         cause: "the whole box is filled: visit a pixel only if none of its weights is below 0",
         hint: Some(1),
         versions: &[Triangles {
@@ -123,6 +178,12 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
                 },
                 ..RIGHT
             },
+            Triangles {
+                fill: |c, bounds, visit| {
+                    triangles::fill(c, bounds, |x, y, weights| visit(x, y, weights / 2.0));
+                },
+                ..RIGHT
+            },
         ],
     },
     Fault {
@@ -158,7 +219,7 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
         cause: "the wrong sides have their centres: it is the left ones and the level top ones, where y points up",
         hint: Some(4),
         versions: &[
-            // Right and bottom, left and bottom, right and top.
+            // Right and bottom, left and bottom, right and top, left alone, top alone.
             Triangles {
                 fill: |c, bounds, visit| {
                     ask(c, bounds, visit, CENTER, |w, s, turn| owned(w, s.map(|s| s * -turn)));
@@ -181,6 +242,55 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
                 },
                 ..RIGHT
             },
+            Triangles {
+                fill: |c, bounds, visit| {
+                    ask(c, bounds, visit, CENTER, |w, s, turn| {
+                        turn != 0.0 && owned(w, s.map(|s| DVec2::new(0.0, s.y * turn)))
+                    });
+                },
+                ..RIGHT
+            },
+            Triangles {
+                fill: |c, bounds, visit| {
+                    ask(c, bounds, visit, CENTER, |w, s, turn| {
+                        turn != 0.0 && owned(w, s.map(|s| if s.y == 0.0 { s * turn } else { DVec2::X }))
+                    });
+                },
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "another side is asked than the one that the centre is on: a weight of 0 means the side opposite to its \
+                corner",
+        hint: Some(4),
+        versions: &[
+            Triangles {
+                fill: |c, bounds, visit| {
+                    ask(c, bounds, visit, CENTER, |w, [a, b, c], turn| top_left(w, [b, c, a], turn));
+                },
+                ..RIGHT
+            },
+            Triangles {
+                fill: |c, bounds, visit| {
+                    ask(c, bounds, visit, CENTER, |w, [a, b, c], turn| top_left(w, [c, a, b], turn));
+                },
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "1 - u - v misses 0 by a rounding error: compute all three weights by areas",
+        hint: Some(4),
+        versions: &[Triangles { fill: rest, ..RIGHT }],
+    },
+    Fault {
+        cause: "half a pixel is taken off: the centre is at (x + 0.5, y + 0.5)",
+        hint: Some(3),
+        versions: &[
+            Triangles { fill: |c, bounds, visit| ask(c, bounds, visit, -CENTER, top_left), ..RIGHT },
+            Triangles { fill: |c, bounds, visit| ask(c, bounds, visit, -CENTER, not_negative), ..RIGHT },
+            Triangles { fill: |c, bounds, visit| ask(c, bounds, visit, -CENTER, positive), ..RIGHT },
         ],
     },
     Fault {
@@ -209,6 +319,37 @@ pub(crate) const FAULTS: &[Fault<Triangles>] = &[
         cause: "the normal is not 1 long: make it so before the dot product",
         hint: Some(5),
         versions: &[Triangles { flat_intensity: |c, light| normal(c).dot(light), ..RIGHT }],
+    },
+    Fault {
+        cause: "the sides are 1 long, their product is not: make the product 1 long",
+        hint: Some(5),
+        versions: &[Triangles {
+            flat_intensity: |[a, b, c], light| {
+                (b - a).normalize_or_zero().cross((c - a).normalize_or_zero()).dot(light)
+            },
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "the corners are multiplied: the normal is the product of two sides, b - a and c - a",
+        hint: Some(5),
+        versions: &[
+            Triangles { flat_intensity: |[a, b, _], l| a.cross(b).normalize_or_zero().dot(l), ..RIGHT },
+            Triangles { flat_intensity: |[_, b, c], l| b.cross(c).normalize_or_zero().dot(l), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "the light is not asked: the cosine is between the normal and `light`",
+        hint: None,
+        versions: &[Triangles { flat_intensity: |c, _| normal(c).normalize_or_zero().z, ..RIGHT }],
+    },
+    Fault {
+        cause: "it is the angle: the intensity is its cosine, which the dot product is already",
+        hint: None,
+        versions: &[
+            Triangles { flat_intensity: |c, light| triangles::flat_intensity(c, light).acos(), ..RIGHT },
+            Triangles { flat_intensity: |c, light| triangles::flat_intensity(c, light).cos(), ..RIGHT },
+        ],
     },
     Fault {
         cause: "what faces away is not below 0: leave the sign, so that the caller can tell",
@@ -257,6 +398,24 @@ fn ask(
             let weights = if whole == 0.0 { areas } else { areas / whole };
             if inside(weights, [c - b, a - c, b - a], turn) {
                 visit(x, y, weights.as_vec3());
+            }
+        }
+    }
+}
+
+/// As right, but in `f32`, and with the first weight as what the other two leave.
+fn rest(corners: [Vec2; 3], bounds: Bounds, visit: Visit) {
+    let [a, b, c] = corners;
+    let area = |a: Vec2, b: Vec2, p: Vec2| (b - a).perp_dot(p - a);
+    let [min, max] = [Vec2::min, Vec2::max].map(|of| of(of(a, b), c));
+    let (min, max) = (min.floor().as_ivec2().max(bounds.min), max.floor().as_ivec2().min(bounds.max));
+    for y in min.y..=max.y {
+        for x in min.x..=max.x {
+            let p = IVec2::new(x, y).as_vec2() + 0.5;
+            let (u, v) = (area(c, a, p) / area(a, b, c), area(a, b, p) / area(a, b, c));
+            let weights = Vec3::new(1.0 - u - v, u, v);
+            if top_left(weights.as_dvec3(), [c - b, a - c, b - a].map(Vec2::as_dvec2), turn(corners)) {
+                visit(x, y, weights);
             }
         }
     }

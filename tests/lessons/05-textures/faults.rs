@@ -1,6 +1,6 @@
 //! Wrong versions of mission 5, by which the judge knows what was done.
 
-use common::{Color, Image, Model, Vec2, Vec3};
+use common::{Color, Image, Model, Vec2, Vec2Swizzles, Vec3};
 use judge::Fault;
 use textures_tasks::Textures;
 use triangles::flat_intensity;
@@ -44,12 +44,43 @@ pub(crate) const FAULTS: &[Fault<Textures>] = &[
                 },
                 ..RIGHT
             },
+            Textures {
+                texel: |t, uv| {
+                    let at = (uv * t.size()).floor().as_ivec2().max(t.bounds().min).min(t.bounds().max);
+                    t.get(at.y, at.x).unwrap_or(Color::BLACK)
+                },
+                ..RIGHT
+            },
         ],
     },
     Fault {
         cause: "the width is used for v as well: rows are counted by the height",
         hint: None,
         versions: &[Textures { texel: |t, uv| clamped(t, (uv * t.size().x).floor()), ..RIGHT }],
+    },
+    Fault {
+        cause: "width and height are swapped: u is stretched to the width, v to the height",
+        hint: None,
+        versions: &[Textures { texel: |t, uv| clamped(t, (uv * t.size().yx()).floor()), ..RIGHT }],
+    },
+    Fault {
+        cause: "cut off before it is stretched: of u from 0 to 1 only 0 is left; multiply first",
+        hint: None,
+        versions: &[
+            Textures { texel: |t, uv| clamped(t, uv.floor() * t.size()), ..RIGHT },
+            Textures { texel: |t, uv| clamped(t, uv.trunc() * t.size()), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "black outside: there as well, not only at u = 1, it is the nearest texel that exists",
+        hint: Some(3),
+        versions: &[Textures {
+            texel: |t, uv| {
+                let at = (uv * t.size()).floor();
+                at_last(t, uv, at)
+            },
+            ..RIGHT
+        }],
     },
     Fault {
         cause: "black at u = 1 and outside: take the nearest texel that exists",
@@ -163,17 +194,95 @@ pub(crate) const FAULTS: &[Fault<Textures>] = &[
         })],
     },
     Fault {
-        cause: "the buffer starts too near, what is behind that is not drawn: begin with f32::NEG_INFINITY",
+        cause: "one colour for all of a triangle: (u, v) is interpolated at each pixel, by its weights",
+        hint: None,
+        versions: &[
+            with_draw(|model, light, image, color| one_color(model, light, image, color, Vec3::X)),
+            with_draw(|model, light, image, color| one_color(model, light, image, color, Vec3::Y)),
+            with_draw(|model, light, image, color| one_color(model, light, image, color, Vec3::Z)),
+            with_draw(|model, light, image, color| {
+                one_color(model, light, image, color, Vec3::splat(1.0 / 3.0))
+            }),
+        ],
+    },
+    Fault {
+        cause: "the normal is that of the corners in the picture: light falls on the model's",
         hint: None,
         versions: &[with_draw(|model, light, image, color| {
-            let mut depths = DepthBuffer::new(image, 0.0);
+            let size = image.size();
+            let mut depths = DepthBuffer::new(image, f32::NEG_INFINITY);
             for (corners, uvs) in model.faces().zip(model.face_uvs()) {
-                if let Some(intensity) = lit(corners, light) {
+                if let Some(intensity) = lit(corners.map(|corner| to_screen(corner, size)), light) {
                     paint(corners, uvs, intensity, &mut depths, image, color);
                 }
             }
             depths
         })],
+    },
+    Fault {
+        cause: "the light is not asked: it is given, as `light`",
+        hint: None,
+        versions: &[with_draw(|model, _, image, color| {
+            textures::draw_textured(model, Vec3::Z, image, color)
+        })],
+    },
+    Fault {
+        cause: "the farthest is seen: the depth is stored as it is, |depth| depth",
+        hint: None,
+        versions: &[with_draw(|model, light, image, color| {
+            let size = image.size();
+            let mut depths = DepthBuffer::new(image, f32::NEG_INFINITY);
+            for (corners, uvs) in model.faces().zip(model.face_uvs()) {
+                if let Some(intensity) = lit(corners, light) {
+                    let screen = corners.map(|corner| to_screen(corner, size));
+                    fill_nearest(
+                        screen,
+                        &mut depths,
+                        |depth| -depth,
+                        |x, y, w| {
+                            image.set(x, y, color(textures::interpolate(uvs, w)).shaded(intensity));
+                        },
+                    );
+                }
+            }
+            depths
+        })],
+    },
+    Fault {
+        cause: "width and height of the picture are swapped: to_screen() takes image.size()",
+        hint: None,
+        versions: &[with_draw(|model, light, image, color| {
+            let size = image.size().yx();
+            let mut depths = DepthBuffer::new(image, f32::NEG_INFINITY);
+            for (corners, uvs) in model.faces().zip(model.face_uvs()) {
+                if let Some(intensity) = lit(corners, light) {
+                    let screen = corners.map(|corner| to_screen(corner, size));
+                    fill_nearest(
+                        screen,
+                        &mut depths,
+                        |depth| depth,
+                        |x, y, w| {
+                            image.set(x, y, color(textures::interpolate(uvs, w)).shaded(intensity));
+                        },
+                    );
+                }
+            }
+            depths
+        })],
+    },
+    Fault {
+        cause: "where nothing is drawn the depth is a number: begin with f32::NEG_INFINITY, which is behind all",
+        hint: None,
+        versions: &[
+            with_draw(|model, light, image, color| begun(model, light, image, color, -1.0)),
+            with_draw(|model, light, image, color| begun(model, light, image, color, f32::MIN)),
+            with_draw(|model, light, image, color| begun(model, light, image, color, -1000.0)),
+        ],
+    },
+    Fault {
+        cause: "the buffer starts too near, what is behind that is not drawn: begin with f32::NEG_INFINITY",
+        hint: None,
+        versions: &[with_draw(|model, light, image, color| begun(model, light, image, color, 0.0))],
     },
 ];
 
@@ -191,6 +300,19 @@ fn at(texture: &Image, place: Vec2) -> Color {
 fn exact(texture: &Image, place: Vec2) -> Color {
     let place = place.as_ivec2();
     texture.get(place.x, place.y).unwrap()
+}
+
+/// The texel at a place, or black; the last one at a coordinate of exactly 1.
+fn at_last(texture: &Image, uv: Vec2, place: Vec2) -> Color {
+    let last = texture.bounds().max;
+    let mut place = place.as_ivec2();
+    if uv.x == 1.0 {
+        place.x = last.x;
+    }
+    if uv.y == 1.0 {
+        place.y = last.y;
+    }
+    texture.get(place.x, place.y).unwrap_or(Color::BLACK)
 }
 
 /// The nearest texel.
@@ -214,6 +336,40 @@ fn draw(
     for (corners, uvs) in model.faces().zip(model.face_uvs()) {
         if let Some(intensity) = intensity(corners, light) {
             paint(corners, uvs, intensity, &mut depths, image, color);
+        }
+    }
+    depths
+}
+
+/// As it should be, but for what the buffer begins with.
+fn begun(
+    model: &Model,
+    light: Vec3,
+    image: &mut Image,
+    color: &dyn Fn(Vec2) -> Color,
+    first: f32,
+) -> DepthBuffer<f32> {
+    let mut depths = DepthBuffer::new(image, first);
+    for (corners, uvs) in model.faces().zip(model.face_uvs()) {
+        if let Some(intensity) = lit(corners, light) {
+            paint(corners, uvs, intensity, &mut depths, image, color);
+        }
+    }
+    depths
+}
+
+/// As it should be, but with the same weights at all pixels of a triangle.
+fn one_color(
+    model: &Model,
+    light: Vec3,
+    image: &mut Image,
+    color: &dyn Fn(Vec2) -> Color,
+    weights: Vec3,
+) -> DepthBuffer<f32> {
+    let mut depths = DepthBuffer::new(image, f32::NEG_INFINITY);
+    for (corners, uvs) in model.faces().zip(model.face_uvs()) {
+        if let Some(intensity) = lit(corners, light) {
+            paint(corners, [textures::interpolate(uvs, weights); 3], intensity, &mut depths, image, color);
         }
     }
     depths

@@ -48,14 +48,41 @@ pub(crate) const FAULTS: &[Fault<Transforms>] = &[
             Transforms { viewport: |w, _, zoom| transforms::viewport(w, w, zoom), ..RIGHT },
             Transforms { viewport: |_, h, zoom| transforms::viewport(h, h, zoom), ..RIGHT },
             Transforms { viewport: |w, h, zoom| transforms::viewport(h, w, zoom), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "both directions are stretched alike: x by zoom times the width, y by zoom times the height",
+        hint: None,
+        versions: &[
+            Transforms { viewport: |w, h, zoom| middle(w, h) * alike(w * zoom), ..RIGHT },
+            Transforms { viewport: |w, h, zoom| middle(w, h) * alike(h * zoom), ..RIGHT },
+            Transforms { viewport: |w, h, zoom| middle(w, h) * alike(w.min(h) * zoom), ..RIGHT },
+            Transforms { viewport: |w, h, zoom| middle(w, h) * alike(w.max(h) * zoom), ..RIGHT },
+        ],
+    },
+    Fault {
+        cause: "the zoom moves the middle: that is at half the size, whatever the zoom",
+        hint: None,
+        versions: &[Transforms {
+            viewport: |w, h, zoom| middle(2.0 * w * zoom, 2.0 * h * zoom) * stretch(w * zoom, h * zoom),
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "one less than the size: the picture reaches from 0 to width, and its middle is width / 2",
+        hint: None,
+        versions: &[
             Transforms {
-                viewport: |w, h, zoom| {
-                    let side = w.min(h) * zoom;
-                    middle(w, h) * scale(Vec3::new(side, side, 1.0))
-                },
+                viewport: |w, h, zoom| middle(w - 1.0, h - 1.0) * stretch(w * zoom, h * zoom),
                 ..RIGHT
             },
+            Transforms { viewport: |w, h, zoom| transforms::viewport(w - 1.0, h - 1.0, zoom), ..RIGHT },
         ],
+    },
+    Fault {
+        cause: "it is moved, and not stretched: scale() is missing",
+        hint: Some(2),
+        versions: &[Transforms { viewport: |w, h, _| middle(w, h), ..RIGHT }],
     },
     Fault {
         cause: "the middle stays in the corner: move by half the size",
@@ -83,6 +110,8 @@ pub(crate) const FAULTS: &[Fault<Transforms>] = &[
         hint: None,
         versions: &[
             Transforms { viewport: |w, h, zoom| middle(w, h) * scale(Vec3::new(w, h, 1.0) * zoom), ..RIGHT },
+            Transforms { viewport: |w, h, zoom| middle(w, h) * scale(Vec3::new(w, h, w) * zoom), ..RIGHT },
+            Transforms { viewport: |w, h, zoom| middle(w, h) * scale(Vec3::new(w, h, h) * zoom), ..RIGHT },
             Transforms {
                 viewport: |w, h, zoom| middle(w, h) * scale(Vec3::new(w * zoom, h * zoom, 0.0)),
                 ..RIGHT
@@ -121,6 +150,36 @@ pub(crate) const FAULTS: &[Fault<Transforms>] = &[
             },
             ..RIGHT
         }],
+    },
+    Fault {
+        cause: "it is multiplied by w: after the product, x, y and z are over w",
+        hint: None,
+        versions: &[Transforms {
+            place: |m, p| {
+                let p = *m * p.extend(1.0);
+                (p.w > 1e-6).then(|| p.xyz() * p.w)
+            },
+            ..RIGHT
+        }],
+    },
+    Fault {
+        cause: "the test is the wrong way round: None where w <= 1e-6, and a place where it is more",
+        hint: Some(4),
+        versions: &[
+            Transforms {
+                place: |m, p| Some(*m * p.extend(1.0)).filter(|p| p.w <= 1e-6).map(|p| p.xyz() / p.w),
+                ..RIGHT
+            },
+            Transforms {
+                place: |m, p| Some(*m * p.extend(1.0)).filter(|p| p.w < 1e-6).map(|p| p.xyz() / p.w),
+                ..RIGHT
+            },
+        ],
+    },
+    Fault {
+        cause: "the point is taken for a row: it is the column on the right, *m * v",
+        hint: None,
+        versions: &[Transforms { place: |m, p| transforms::place(&m.transpose(), p), ..RIGHT }],
     },
     Fault {
         cause: "z is not divided by w: all three coordinates are",
@@ -178,6 +237,14 @@ pub(crate) const FAULTS: &[Fault<Transforms>] = &[
         ],
     },
 ];
+
+fn stretch(x: f32, y: f32) -> Mat4 {
+    scale(Vec3::new(x, y, 1.0))
+}
+
+fn alike(side: f32) -> Mat4 {
+    stretch(side, side)
+}
 
 fn middle(width: f32, height: f32) -> Mat4 {
     translate(Vec3::new(width / 2.0, height / 2.0, 0.0))

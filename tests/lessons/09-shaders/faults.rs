@@ -60,7 +60,25 @@ pub(crate) const FAULTS: &[Fault<Shaders>] = &[
     Fault {
         cause: "the brightness is clamped at the corners: what is dark counts when it is interpolated",
         hint: Some(1),
-        versions: &[gouraud!(|u, face, n| CORNER(u, face, n).max(0.0), |_, i| i)],
+        versions: &[
+            gouraud!(|u, face, n| CORNER(u, face, n).max(0.0), |_, i| i),
+            quantized!(|u, face, n| CORNER(u, face, n).max(0.0), cut),
+        ],
+    },
+    Fault {
+        cause: "the light is not asked: the brightness is the normal times `light`, not the normal's z",
+        hint: None,
+        versions: &[gouraud!(|u, face, n| u.normals[face][n].z, |_, i| i)],
+    },
+    Fault {
+        cause: "the light is made 1 long: a longer one is brighter",
+        hint: None,
+        versions: &[gouraud!(|u, face, n| u.normals[face][n].dot(u.light.normalize()), |_, i| i)],
+    },
+    Fault {
+        cause: "the brightness is cut down to 1: under a bright light it may be more, only Quantized has min(i, 1)",
+        hint: None,
+        versions: &[gouraud!(CORNER, |_, i| i.min(1.0))],
     },
     Fault {
         cause: "the sign is lost: what faces away from the light is below 0, not bright",
@@ -99,6 +117,14 @@ pub(crate) const FAULTS: &[Fault<Shaders>] = &[
         versions: &[texture!(|u, face, _| UV(u, face, 0), look_up)],
     },
     Fault {
+        cause: "the corners are mixed up: (u, v) is model.uv(face, corner)",
+        hint: None,
+        versions: &[
+            texture!(|u, face, n| UV(u, face, (n + 1) % 3), look_up),
+            texture!(|u, face, n| UV(u, face, (n + 2) % 3), look_up),
+        ],
+    },
+    Fault {
         cause: "there need not be a texture, and unwrap() panics: without one the colour is black",
         hint: Some(4),
         versions: &[texture!(UV, |u, uv| texel(u.texture.unwrap(), uv))],
@@ -122,6 +148,24 @@ pub(crate) const FAULTS: &[Fault<Shaders>] = &[
         cause: "there are no steps: ⌊N * min(i, 1)⌋ / N",
         hint: None,
         versions: &[quantized!(CORNER, |_, i| i), quantized!(CORNER, |_, i| i.min(1.0))],
+    },
+    Fault {
+        cause: "cut off towards 0: a brightness just below 0 becomes 0 and is drawn black; floor() goes down",
+        hint: Some(2),
+        versions: &[quantized!(CORNER, |n, i| (n * i.min(1.0)).trunc() / n)],
+    },
+    Fault {
+        cause: "it is not multiplied by N: without that floor() leaves 0 or 1",
+        hint: None,
+        versions: &[
+            quantized!(CORNER, |_, i| i.min(1.0).floor()),
+            quantized!(CORNER, |n, i| i.min(1.0).floor() / n),
+        ],
+    },
+    Fault {
+        cause: "the highest step is missing: i is cut down to 1, before it is multiplied, not the step to N - 1",
+        hint: None,
+        versions: &[quantized!(CORNER, |n, i| (n * i).floor().min(n - 1.0) / n)],
     },
     Fault {
         cause: "it is not divided by N: the steps go from 0 to 1",

@@ -20,7 +20,7 @@ use fastrand::Rng;
 
 pub use code::Code;
 pub use raw::{Answer, Raw};
-pub use student::attempt;
+pub use student::{attempt, cargo};
 
 /// The course's folder.
 pub const COURSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -125,6 +125,12 @@ impl<F> Mission<F> {
 #[must_use]
 pub fn name(lesson: &str) -> &str {
     lesson.split_once('-').map_or(lesson, |(_, name)| name)
+}
+
+/// A lesson's number, as it is said: `1` of `01-lines`.
+#[must_use]
+pub fn number(lesson: &str) -> &str {
+    lesson.split_once('-').map_or(lesson, |(number, _)| number).trim_start_matches('0')
 }
 
 /// The lessons of a course that have a mission, in order, by number and name: its folders `lessons/NN-name`.

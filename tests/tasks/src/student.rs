@@ -153,7 +153,8 @@ pub fn attempt<F>(task: &Task<F>, functions: &F) -> Answer {
 const NO_CARGO: &str = "cannot start cargo, which builds and runs the judge";
 
 /// A command of Cargo's on a package of this course, built as this program was.
-fn cargo(command: &str, package: &str) -> Command {
+#[must_use]
+pub fn cargo(command: &str, package: &str) -> Command {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.args([command, "--manifest-path"]).arg(format!("{COURSE}/Cargo.toml")).args(["--package", package]);
     if !cfg!(debug_assertions) {

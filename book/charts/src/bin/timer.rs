@@ -3,5 +3,5 @@
 use std::io::{stdin, stdout};
 
 fn main() -> anyhow::Result<()> {
-    charts::serve(stdin().lock(), stdout().lock())
+    charts::measuring::serve(stdin().lock(), stdout().lock())
 }

@@ -17,6 +17,12 @@ pub struct Wireframe {
 /// Width and height of the small pictures.
 pub const SIZE: IVec2 = IVec2::new(60, 40);
 
+/// The same of a very small one, both odd.
+const ODD: IVec2 = IVec2::new(7, 5);
+
+/// Height of the model's picture, which is wider.
+const LOW: u16 = 300;
+
 /// The mission.
 pub const MISSION: Mission<Wireframe> = Mission {
     lesson: "02-wireframe",
@@ -27,7 +33,11 @@ pub const MISSION: Mission<Wireframe> = Mission {
             points: 2,
             tasks: |rng| {
                 let mut inside = || Vec3::new(within(rng, SIZE.x), within(rng, SIZE.y), signed(rng));
-                (0..12).map(|_| pixel(inside())).collect()
+                let mut tasks: Vec<_> = (0..12).map(|_| pixel(inside())).collect();
+                // Half of an odd side is not a whole number, which shows at the far end.
+                let [x, y] = [ODD.x, ODD.y].map(|side| (side as f32 - 1.4) * 2.0 / side as f32 - 1.0);
+                tasks.push(pixel_of(Vec3::new(x, y, 0.0), ODD));
+                tasks
             },
             precision: Precision::EXACT,
         },
@@ -48,8 +58,10 @@ pub const MISSION: Mission<Wireframe> = Mission {
             points: 1,
             tasks: |rng| {
                 let (x, y) = (within(rng, SIZE.x), within(rng, SIZE.y));
+                let beside = [(1.01, y), (x, 1.01)];
                 let points = [(-1.01, y), (x, -1.01), (1.2, y), (x, 1.2), (-3.01, -2.02)];
-                points.map(|(x, y)| pixel(Vec3::new(x, y, 0.0))).into()
+                let points = points.into_iter().chain(beside);
+                points.map(|(x, y)| pixel(Vec3::new(x, y, 0.0))).collect()
             },
             precision: Precision::EXACT,
         },
@@ -68,7 +80,7 @@ pub const MISSION: Mission<Wireframe> = Mission {
             name: "edges",
             asks: "all three sides of a few triangles",
             points: 2,
-            tasks: |rng| (0..4).map(|_| few(rng)).collect(),
+            tasks: |rng| (0..4).map(|n| few(rng, n % 2 == 1)).collect(),
             precision: Precision::EXACT,
         },
         Check {
@@ -77,15 +89,15 @@ pub const MISSION: Mission<Wireframe> = Mission {
             points: 2,
             tasks: |_| {
                 let code = format!(
-                    "{MODEL_CODE}let mut got = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
+                    "{MODEL_CODE}let mut got = Image::new({SIDE}, {LOW}, Format::Rgb);\n\
                      wireframe(&model, &mut got, Color::WHITE);"
                 );
                 let task = Task::new("the model", code, |student: &Wireframe| {
-                    let mut image = canvas(SIDE, SIDE);
+                    let mut image = canvas(SIDE, LOW);
                     (student.wireframe)(&MODEL, &mut image, Color::WHITE);
                     Raw::Picture(image)
                 });
-                vec![task.of(|functions| sides(functions, &MODEL, &canvas(SIDE, SIDE)))]
+                vec![task.of(|functions| sides(functions, &MODEL, &canvas(SIDE, LOW)))]
             },
             // Points of the model may lie on a pixel's border, where the last bit decides.
             precision: Precision { tolerance: 0.0, ..Precision::MODEL },
@@ -104,22 +116,31 @@ fn within(rng: &mut Rng, size: i32) -> f32 {
 
 /// The pixel of a point.
 fn pixel(point: Vec3) -> Task<Wireframe> {
-    let before = format!("let image = Image::new({}, {}, Format::Rgb);\n", SIZE.x, SIZE.y);
-    let call = format!("to_pixel({}, &image)", point.code());
-    Task::call(&before, call, move |student: &Wireframe| {
-        let image = canvas(SIZE.x as u16, SIZE.y as u16);
-        Raw::value((student.to_pixel)(point, &image).as_vec2().to_array())
-    })
+    pixel_of(point, SIZE)
 }
 
-/// Three triangles with corners in the middle of pixels; the last two share a side.
-fn few(rng: &mut Rng) -> Task<Wireframe> {
+/// The pixel of a point in a picture of another size.
+fn pixel_of(point: Vec3, size: IVec2) -> Task<Wireframe> {
+    let before = format!("let image = Image::new({}, {}, Format::Rgb);\n", size.x, size.y);
+    let call = format!("to_pixel({}, &image)", point.code());
+    let task = Task::call(&before, call, move |student: &Wireframe| {
+        let image = canvas(size.x as u16, size.y as u16);
+        Raw::value((student.to_pixel)(point, &image).as_vec2().to_array())
+    });
+    Task { input: format!("to_pixel({}, an image of {}x{})", point.code(), size.x, size.y), ..task }
+}
+
+/// Three triangles with corners in the middle of pixels; the last two share a side. One corner may lie outside.
+fn few(rng: &mut Rng, outside: bool) -> Task<Wireframe> {
     const TRIANGLES: [[u32; 3]; 3] = [[0, 1, 2], [3, 4, 5], [5, 4, 6]];
     let mut corner = || {
         let pixel = [SIZE.x, SIZE.y].map(|size| (rng.i32(0..size) as f32 + 0.5) * 2.0 / size as f32 - 1.0);
         Vec3::new(pixel[0], pixel[1], 0.0)
     };
-    let positions = [(); 7].map(|()| corner());
+    let mut positions = [(); 7].map(|()| corner());
+    if outside {
+        positions[6].x += 2.0;
+    }
     let code = format!(
         "let model = Model::from_triangles(vec!{}, vec!{TRIANGLES:?}).expect(\"it is one\");\n\
          let mut got = Image::new({}, {}, Format::Rgb);\nwireframe(&model, &mut got, Color::GREEN);",

@@ -38,7 +38,10 @@ pub const MISSION: Mission<Triangles> = Mission {
             name: "coverage",
             asks: "every pixel whose centre is inside, no other, each visited once (twice is brighter)",
             points: 2,
-            tasks: |rng| (0..6).map(|_| coverage(vec![corners(rng)])).collect(),
+            tasks: |rng| {
+                let large: Vec<_> = (0..6).map(|_| coverage(vec![corners(rng)])).collect();
+                large.into_iter().chain([coverage(vec![tiny(rng)])]).collect()
+            },
             precision: Precision::EXACT,
         },
         Check {
@@ -231,6 +234,13 @@ fn corners(rng: &mut Rng) -> [Vec2; 3] {
     }
 }
 
+/// Of less than half a pixel, around a centre.
+fn tiny(rng: &mut Rng) -> [Vec2; 3] {
+    let around = [(-0.25, -0.125), (0.375, -0.125), (0.0, 0.375)];
+    let middle = center(rng);
+    shuffled(rng, around.map(|way| middle + Vec2::from(way)))
+}
+
 /// A pixel's centre.
 fn center(rng: &mut Rng) -> Vec2 {
     Vec2::new(rng.i32(34..46) as f32, rng.i32(34..46) as f32) + 0.5
@@ -244,7 +254,8 @@ fn shuffled(rng: &mut Rng, mut corners: [Vec2; 3]) -> [Vec2; 3] {
 
 /// Two triangles, one clockwise, one not, with all corners and sides through pixels' centres.
 fn square(rng: &mut Rng) -> Task<Triangles> {
-    let (a, side) = (center(rng), rng.i32(9..20) as f32);
+    // Sides in which some quotients have rounding errors.
+    let (a, side) = (center(rng), rng.i32(9..16) as f32);
     let [b, c, d] = [(side, 0.0), (side, side), (0.0, side)].map(|way| a + Vec2::from(way));
     coverage(if rng.bool() { vec![[a, b, c], [a, d, c]] } else { vec![[a, c, b], [c, d, a]] })
 }

@@ -23,6 +23,9 @@ pub type Draw = fn(&Model, Vec3, &mut Image, &dyn Fn(Vec2) -> Color) -> DepthBuf
 /// Width and height of the small texture.
 const TEXELS: [u16; 2] = [16, 12];
 
+/// Height of the model's pictures, which are wider.
+const LOW: u16 = 300;
+
 /// The mission.
 pub const MISSION: Mission<Textures> = Mission {
     lesson: "05-textures",
@@ -149,17 +152,17 @@ fn model(
     let texture = if code.contains("&texture") { TEXTURE_CODE } else { "" };
     let (light, call) = (LIGHT.code(), format!("draw_textured(&model, light, &mut image, {code})"));
     let code = format!(
-        "{MODEL_CODE}{texture}let light = {light};\nlet mut image = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
+        "{MODEL_CODE}{texture}let light = {light};\nlet mut image = Image::new({SIDE}, {LOW}, Format::Rgb);\n\
          let depths = {call};\nlet got = {};",
         if code.contains("WHITE") { "depths" } else { "{ let _ = depths; image }" }
     );
     Task::new("the model", code, move |student: &Textures| {
-        let mut image = canvas(SIDE, SIDE);
+        let mut image = canvas(SIDE, LOW);
         let depths = (student.draw_textured)(&MODEL, LIGHT, &mut image, &|uv| color(student, uv));
         result(image, &depths)
     })
     .of(|_| {
-        let size = Vec2::splat(f32::from(SIDE));
+        let size = Vec2::new(f32::from(SIDE), f32::from(LOW));
         let lit = MODEL.faces().filter(|&corners| triangles::flat_intensity(corners, LIGHT) >= 0.0);
         lit.map(|corners| corners.map(|corner| zbuffer::to_screen(corner, size)).into()).collect()
     })

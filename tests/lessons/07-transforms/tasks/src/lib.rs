@@ -27,7 +27,7 @@ pub const MISSION: Mission<Transforms> = Mission {
             points: 2,
             tasks: |rng| {
                 let mut size = || [rng.i32(20..900) as f32, rng.i32(20..900) as f32, 0.3 + 0.3 * rng.f32()];
-                let some = [[800.0, 600.0, 0.5], size(), size()];
+                let some = [[800.0, 600.0, 0.5], [320.0, 480.0, 0.4], size(), size()];
                 let task = |[width, height, zoom]: [f32; 3]| {
                     let call = format!("viewport({}, {}, {})", width.code(), height.code(), zoom.code());
                     Task::call("", call, move |student: &Transforms| {

@@ -42,6 +42,11 @@ pub const MISSION: Mission<Shaders> = Mission {
                 vec![
                     drawn("two squares", Scene::new(&two_sides(), GOURAUD), COLORS),
                     drawn("one square", Scene::new(&[half_dark(rng)], GOURAUD), COLORS),
+                    drawn(
+                        "one square, lit from the right",
+                        Scene { light: Vec3::new(0.6, 0.0, 0.8), ..Scene::new(&[half_dark(rng)], GOURAUD) },
+                        COLORS,
+                    ),
                 ]
             },
             precision: Precision::SHADED,
@@ -67,9 +72,12 @@ pub const MISSION: Mission<Shaders> = Mission {
                 let square = [Square { place: WIDE, normals: [Vec3::Z, tilted, tilted, Vec3::Z] }];
                 let scene = Scene::new(&square, GOURAUD_TEXTURE);
                 let textured = Scene { texture: Some([4, 4, rng.u16(64..200)]), ..scene.clone() };
+                let bright =
+                    Scene { texture: Some([1, 1, rng.u16(80..120)]), light: Vec3::Z * 1.7, ..scene.clone() };
                 vec![
                     drawn("a square with a texture", textured, COLORS),
                     drawn("a square without a texture", scene, COLORS),
+                    drawn("a grey square under a light 1.7 long", bright, COLORS),
                 ]
             },
             precision: Precision { tolerance: 2.0, strays: 20 },
@@ -87,7 +95,7 @@ pub const MISSION: Mission<Shaders> = Mission {
                 // Brighter than white is possible under a light that is longer than 1.
                 let scene = Scene::new(&[Square { place: WIDE, normals: [Vec3::Z; 4] }], QUANTIZED_TEXTURE);
                 let grey = Some([1, 1, rng.u16(80..120)]);
-                let bright = Scene { texture: grey, light: 1.7, levels: 5, ..scene };
+                let bright = Scene { texture: grey, light: Vec3::Z * 1.7, levels: 5, ..scene };
                 vec![
                     white(5),
                     white(rng.u16(6..9)),
@@ -97,6 +105,7 @@ pub const MISSION: Mission<Shaders> = Mission {
                         COLORS,
                     ),
                     drawn("a grey square under a light 1.7 long", bright, COLORS),
+                    drawn("the depths of a square", Scene::new(&[half_dark(rng)], QUANTIZED), DEPTHS),
                 ]
             },
             precision: Precision::SHADED,
@@ -152,8 +161,7 @@ struct Scene {
     look: Look,
     /// Width, height, and the blue of all texels; red and green are 60 times column and row.
     texture: Option<[u16; 3]>,
-    /// The length of the light, which comes from the front.
-    light: f32,
+    light: Vec3,
     levels: u16,
 }
 
@@ -164,7 +172,7 @@ impl Scene {
             code: squares_code(list),
             look,
             texture: None,
-            light: 1.0,
+            light: Vec3::Z,
             levels: STEPS,
         }
     }
@@ -179,7 +187,7 @@ const DEPTHS: Result =
 
 /// Draws squares.
 fn drawn(input: &str, scene: Scene, result: Result) -> Task<Shaders> {
-    let light = Vec3::Z * scene.light;
+    let light = scene.light;
     let texture = scene.texture.map(|[width, height, blue]| {
         let mut texture = canvas(width, height);
         for (x, y, _) in texture.clone().pixels() {
@@ -232,7 +240,7 @@ fn shapes(model: &Model, to_clip: Mat4, side: u16) -> Vec<Shape> {
 /// The course's model.
 fn model((look, code): Look) -> Task<Shaders> {
     const ZOOM: f32 = 0.45;
-    let input = format!("the model under {code}");
+    let input = format!("the model under {}", code.trim_start_matches("shaders::source::"));
     let code = format!(
         "{MODEL_CODE}{TEXTURE_CODE}let normals = gouraud::corner_normals(&model);\n\
          let uniforms = Uniforms {{\n    normals: &normals,\n    texture: Some(&texture),\n    light: {},\n    \

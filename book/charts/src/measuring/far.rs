@@ -9,10 +9,10 @@ use super::card::{LAYOUTS, Layout, hues};
 use super::digits::{readable, three_digits};
 use super::draw::{Line, Lines, lines};
 use super::finding::times;
-use super::lessons::triangles::charts::{CHART, random_triangles};
 use super::measure::{Effort, Work};
 use super::table::{Point, number, read_points, write_points};
 use super::{Comparison, Pictures, Run, caption};
+use crate::lessons::triangles::charts::{CHART, random_triangles};
 
 pub(crate) const COMPARISON: Comparison =
     Comparison { name: "03-triangles-far", works, measure, draw: pictures };

@@ -65,6 +65,11 @@ fn a_lesson_is_added_by_at_most_eight_lines_in_at_most_six_files_beside_its_fold
     let mission = course.cargo(&["run", "--package=my-toy"]);
     let said = String::from_utf8_lossy(&mission.stderr).into_owned();
     assert!(said.contains("Nothing is written yet."), "{said}");
+    let listed = course.cargo(&["run", "--package=course"]);
+    succeeds(&listed);
+    let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
+    let row = |line: &str| line.contains(&format!(" {number}  Wireframe")) && line.contains(" my-toy ");
+    assert!(listed.contains(&format!(" of {number} missions done\n")) && listed.lines().any(row), "{listed}");
     succeeds(&course.book(&[]));
     let page = course.root.join(format!("target/book/{lesson}.html"));
     assert!(page.exists(), "{}", page.display());

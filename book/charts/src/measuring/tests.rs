@@ -107,6 +107,17 @@ fn marks_are_of_methods_that_there_are() {
     }
 }
 
+/// The book tells by these facts what is exact.
+#[test]
+fn the_committed_facts_tell_what_is_exact() {
+    for chart in all_charts() {
+        let path = Path::new(COMMITTED).join(format!("{}.json", chart.name));
+        let facts: serde_json::Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+        assert_eq!(facts["proved_exact"], json!(chart.proved), "{}", chart.name);
+        assert_eq!(facts["error_max"], bound(chart), "{}", chart.name);
+    }
+}
+
 /// What was proved is not refuted by a sample.
 #[test]
 fn what_is_proved_exact_has_no_error() {

@@ -1,0 +1,51 @@
+//! What the programs of this lesson and later ones draw: a head on a floor, or a model alone.
+
+use std::path::Path;
+
+use common::placement::Placement;
+use common::{Attributes, DVec3, Image, Mat4, Model, Vec3};
+use gouraud::corner_normals;
+use gouraud::flags::SceneFlags;
+use shaders::Uniforms;
+use textures::Wrap;
+
+/// A model with what is drawn of it.
+pub struct Loaded {
+    /// The triangles, with texture coordinates.
+    pub model: Model,
+    /// The unit normals at the corners of each triangle.
+    pub normals: Vec<[Vec3; 3]>,
+    /// Its texture.
+    pub texture: Image,
+    /// What the texture is outside.
+    pub wrap: Wrap,
+}
+
+impl Loaded {
+    /// Reads what the flags ask for, about an origin: the model that they name, or the head on a floor, of which these are
+    /// the model and the texture, which is repeated.
+    ///
+    /// # Errors
+    /// Where a file cannot be read.
+    pub fn read(flags: &SceneFlags, origin: DVec3, floor: [&str; 2]) -> anyhow::Result<Vec<Self>> {
+        let needs = Attributes { normals: true, uvs: true };
+        let mut models = vec![Self::new(flags.model.read_about(origin, needs)?, flags.wrap)];
+        if !flags.model.is_given() {
+            let [model, texture] = floor.map(Path::new);
+            let floor = Model::read_placed(model, needs, &Placement { origin, ..Placement::default() })?;
+            models.push(Self::new((floor, Image::read(texture)?), Wrap::Repeat));
+        }
+        Ok(models)
+    }
+
+    fn new((model, texture): (Model, Image), wrap: Wrap) -> Self {
+        Self { normals: corner_normals(&model), model, texture, wrap }
+    }
+
+    /// What a shader reads of it, under a light and before a camera.
+    #[must_use]
+    pub fn uniforms(&self, light: Vec3, to_clip: Mat4) -> Uniforms<'_> {
+        let Self { model, normals, texture, wrap } = self;
+        Uniforms { normals, texture: Some(texture), wrap: *wrap, light, to_clip, ..Uniforms::new(model) }
+    }
+}

@@ -1,0 +1,127 @@
+//! A triangle's pixels without clipping it and without dividing by w.
+//!
+//! What a pixel sees through its centre (X, Y), from −1 to 1, are the points of clip space with (x, y, w) = w·(X, Y, 1). Such
+//! a point of the triangle is Σμᵢ(xᵢ, yᵢ, wᵢ) with weights that sum to 1. With the corners as columns of a matrix M and
+//! cᵢ = μᵢ/w this says **M c = (X, Y, 1)**, so *c* = adj M·(X, Y, 1)/det M: three linear functions of the pixel. The
+//! triangle is seen there, in front of the eye, where none of them is negative; their sum is 1/w, and cᵢ/Σcⱼ are the weights
+//! in perspective. A corner behind the eye changes nothing in this (M. Olano and T. Greer, *Triangle scan conversion using 2D
+//! homogeneous coordinates*, Graphics Hardware 1997).
+//!
+//! The rows of adj M are the cross products of two corners. Two triangles at a side have the same one but for its sign, and
+//! a difference of two exact products changes nothing but its sign with it: they agree on each pixel.
+
+use common::{Bounds, DVec2, DVec3, Vec4, Vec4Swizzles};
+use perspective::interpolation::Pixels;
+use shaders::shader::Varying;
+
+use crate::clip::ClipVertex;
+
+/// A linear function of the pixels' centres, its coefficients for X, Y and 1; inside it is positive.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    coefficients: DVec3,
+    /// Whether what lies right on it is inside.
+    closed: bool,
+}
+
+/// Goes through the pixels in `bounds`, the whole picture, in which a triangle is seen between near and far, rows from the
+/// bottom. The depth is that of window space, from 0 to 1. A triangle that is seen edge-on covers nothing.
+// ANCHOR: fill
+pub fn fill<V: Varying>(vertices: [ClipVertex<V>; 3], bounds: Bounds, mut pixels: impl Pixels<V>) {
+    let (corners, varyings) = (vertices.map(|vertex| vertex.position), vertices.map(|vertex| vertex.varying));
+    let [a, b, c] = corners.map(|corner| corner.xyw().as_dvec3());
+    let determinant = a.dot(b.cross(c));
+    if determinant == 0.0 || !determinant.is_finite() {
+        return;
+    }
+    // All signs turned where the triangle faces away, all sizes without the determinant.
+    let sides = [b.cross(c), c.cross(a), a.cross(b)].map(|side| side * determinant.signum());
+    // The share of each corner in what is linear over the triangle, for X, Y and 1.
+    let along = |axis: usize| DVec3::new(sides[0][axis], sides[1][axis], sides[2][axis]);
+    let [along_x, along_y, constant] = [0, 1, 2].map(along);
+    let (z, w) =
+        (DVec3::from_array(corners.map(|p| p.z.into())), DVec3::from_array(corners.map(|p| p.w.into())));
+    let plane = |values: DVec3| DVec3::new(along_x.dot(values), along_y.dot(values), constant.dot(values));
+    let closed = |coefficients| Edge { coefficients, closed: true };
+    // ANCHOR: near_and_far
+    let edges = [
+        top_left(sides[0]),
+        top_left(sides[1]),
+        top_left(sides[2]),
+        closed(plane(w + z)),
+        closed(plane(w - z)),
+    ];
+    // ANCHOR_END: near_and_far
+    let size = (bounds.max + 1).as_dvec2();
+    let center = |x: i32, y: i32| (DVec2::new(x.into(), y.into()) + 0.5) / size * 2.0 - 1.0;
+    let (bottom, top) = rows(corners, bounds);
+    for y in bottom..=top {
+        let (mut first, mut last) = (bounds.min.x, bounds.max.x);
+        let row = center(0, y).y;
+        for edge in &edges {
+            let Edge { coefficients, closed } = edge;
+            let base = coefficients.y * row + coefficients.z;
+            let covers = |x: i32| {
+                let value = coefficients.x * center(x, y).x + base;
+                value > 0.0 || value == 0.0 && *closed
+            };
+            narrow(coefficients.x, base, size.x, covers, &mut first, &mut last);
+        }
+        let base = along_y * row + constant;
+        for x in first..=last {
+            let shares = along_x * center(x, y).x + base;
+            let depth = 0.5 + 0.5 * shares.dot(z) / determinant.abs();
+            let weights = shares / shares.element_sum();
+            pixels.pixel(x, y, depth.clamp(0.0, 1.0) as f32, || V::interpolate(varyings, weights.as_vec3()));
+        }
+    }
+}
+// ANCHOR_END: fill
+
+/// A side: what lies right on it is inside if it is a left or a top one, so that it belongs to one of two neighbours.
+fn top_left(side: DVec3) -> Edge {
+    Edge { coefficients: side, closed: side.x > 0.0 || side.x == 0.0 && side.y < 0.0 }
+}
+
+/// The rows in which a triangle may be seen: all of them where a corner is behind the eye.
+fn rows(corners: [Vec4; 3], bounds: Bounds) -> (i32, i32) {
+    if corners.iter().any(|corner| corner.w <= 0.0) {
+        return (bounds.min.y, bounds.max.y);
+    }
+    let height = f64::from(bounds.max.y + 1);
+    let heights = corners.map(|corner| (f64::from(corner.y) / f64::from(corner.w) + 1.0) * height / 2.0);
+    let [low, high] = [f64::min, f64::max].map(|pick| heights.into_iter().reduce(pick).unwrap_or_default());
+    // A row more on either side, for the rounding; the edges decide.
+    let row = |height: f64| height.clamp(-2.0, f64::from(bounds.max.y) + 2.0) as i32;
+    (bounds.min.y.max(row(low.floor()) - 1), bounds.max.y.min(row(high.floor()) + 1))
+}
+
+/// Cuts a row's pixels down to those that an edge covers. A quotient tells about where it passes the row, the edge itself
+/// which pixels it covers: rounded as it is, it grows from left to right, or falls, or stays.
+fn narrow(slope: f64, base: f64, width: f64, covers: impl Fn(i32) -> bool, first: &mut i32, last: &mut i32) {
+    if first > last {
+        return;
+    }
+    let passes = ((1.0 - base / slope) * width / 2.0 - 0.5).clamp(f64::from(*first), f64::from(*last)) as i32;
+    if slope > 0.0 {
+        let mut x = passes;
+        while x > *first && covers(x - 1) {
+            x -= 1;
+        }
+        while x <= *last && !covers(x) {
+            x += 1;
+        }
+        *first = x;
+    } else if slope < 0.0 {
+        let mut x = passes;
+        while x < *last && covers(x + 1) {
+            x += 1;
+        }
+        while x >= *first && !covers(x) {
+            x -= 1;
+        }
+        *last = x;
+    } else if !covers(*first) {
+        *last = *first - 1;
+    }
+}

@@ -1,0 +1,3 @@
+//! What drawing costs: `cargo bench -p clipping-tests`, single-threaded.
+
+fn main() {}
