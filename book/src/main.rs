@@ -95,8 +95,6 @@ enum Make {
     },
     /// Write again what lists lessons and methods: the README's tables, and two pages of the charts
     Methods,
-    /// Build the book, into target/book/
-    Html(Folder),
     /// Draw the book's figures, into target/book/figures/
     Figures(Folder),
     /// Show the book, as it was built last, to browsers that do not open files
@@ -134,14 +132,11 @@ fn run(arguments: &Arguments) -> anyhow::Result<ExitCode> {
         }
         Some(Make::Figures(folder)) => html::draw(&folder.path()?)?,
         Some(Make::Serve { folder, port }) => serve::serve(&folder.path()?, *port)?,
-        Some(Make::Html(folder)) => build(&folder.path()?)?,
-        None => build(&arguments.folder.path()?)?,
+        None => {
+            let out = arguments.folder.path()?;
+            html::build(&out)?;
+            println!("{}", out.join("index.html").display());
+        }
     }
     Ok(ExitCode::SUCCESS)
-}
-
-fn build(out: &Path) -> anyhow::Result<()> {
-    html::build(out)?;
-    println!("{}", out.join("index.html").display());
-    Ok(())
 }

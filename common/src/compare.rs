@@ -144,6 +144,14 @@ mod tests {
     }
 
     #[test]
+    fn one_pixel_is_a_difference() {
+        let [blank, red, green] = [&[][..], &[(1, 1, Color::RED)], &[(1, 1, Color::GREEN)]].map(picture);
+        for (expected, got) in [(&blank, &red), (&red, &blank), (&red, &green)] {
+            assert!(!Difference::between(expected, got).is_empty());
+        }
+    }
+
+    #[test]
     fn pictures_of_other_sizes_differ_where_something_is_drawn() {
         let small = Image::new(1, 1, Format::Rgb);
         let large = picture(&[(3, 2, Color::WHITE)]);

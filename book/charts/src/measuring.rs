@@ -1,7 +1,7 @@
 //! Measures every row of every table of methods, and draws the charts.
 //!
 //! A table has its file, named after its lesson, with a `Chart`: what is measured, against what, over which
-//! inputs. `CHARTS` lists them; the rest is the same for all. Figures are measured once and kept as CSV and JSON;
+//! inputs. `LESSONS` lists them; the rest is the same for all. Figures are measured once and kept as CSV and JSON;
 //! the charts are drawn from these, whenever they should look otherwise.
 
 mod builds;

@@ -70,3 +70,15 @@ pub struct TurntableFlag {
     #[arg(id = "turntable", long = "turntable", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=999), conflicts_with_all = ["compare", "depth"])]
     pub stops: Option<u16>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_centre_farther_than_1024_becomes_the_origin() {
+        let origin = |center| ViewFlags { eye: DVec3::ONE, center, up: DVec3::Y }.origin();
+        let [near, far] = [1024.0, 1024.5].map(|x| DVec3::new(0.0, x, 0.0));
+        assert_eq!([origin(DVec3::X), origin(near), origin(far)], [DVec3::ZERO, DVec3::ZERO, far]);
+    }
+}

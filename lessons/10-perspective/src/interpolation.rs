@@ -9,9 +9,11 @@
 //!
 //! The depth z of the window is a/w + b, linear in the picture like 1/w, and so interpolated with λ itself.
 
+use std::ops::Range;
+
 use common::{Bounds, Vec3, Vec4, Vec4Swizzles};
 use shaders::shader::Varying;
-use triangles::edges::Setup;
+use triangles::edges::{Row, Setup};
 use zbuffer::{depth_at, fill_depths};
 
 use crate::division::{Division, Exact};
@@ -102,6 +104,10 @@ impl<D: Division> Interpolation for PerPixel<D> {
 // ANCHOR_END: per_pixel
 
 /// Linear in space at every `N`th pixel of a row and at its last, linear in the picture between.
+///
+/// So Quake drew its walls: every 16 pixels where it was written for the Pentium, whose division runs beside the pixels
+/// before it, every 8 in its portable C (id Software, *Quake*, 1996, `WinQuake/d_draw16.s` and `d_scan.c`). It had no
+/// pixel drawn for nothing; here a stretch that is hidden costs its division all the same.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Every<const N: u8>;
 
@@ -119,22 +125,24 @@ impl<const N: u8> Interpolation for Every<N> {
         let Some(inverse_w) = relative(corners).filter(|_| depths.is_finite()) else { return };
         let Some(setup) = Setup::new(corners.map(Vec4::xy), bounds) else { return };
         for y in setup.bounds.min.y..=setup.bounds.max.y {
-            let row = setup.row(y);
-            let (begin, end) = (row.pixels.start, row.pixels.end);
-            let weights =
-                |x: i64| ((row.edges + setup.right * (x - begin) as f64) * setup.per_area).as_vec3();
-            let exact = |x| V::interpolate(varyings, perspective_weights(weights(x), inverse_w));
+            let Row { pixels: Range { start, end }, mut edges } = setup.row(y);
+            let begin = edges;
+            let exact = |x: i64| {
+                let weights = (begin + setup.right * (x - start) as f64) * setup.per_area;
+                V::interpolate(varyings, perspective_weights(weights.as_vec3(), inverse_w))
+            };
             // A step past the row's end would be a step past the triangle's side, perhaps past the horizon, where 1/w
             // is 0: the last stretch ends at the last pixel, and is as long as is left.
-            let mut first = begin;
-            let mut here = (begin < end).then(|| exact(begin));
+            let mut first = start;
+            let mut here = (start < end).then(|| exact(start));
             while let Some(from) = here {
                 let next = (first + i64::from(N)).min(end - 1);
                 let to = exact(next);
                 let step = to.plus(from.times(-1.0)).times(1.0 / (next - first).max(1) as f32);
                 for x in first..(first + i64::from(N)).min(end) {
-                    let varying = || from.plus(step.times((x - first) as f32));
-                    pixels.pixel(x as i32, y, depth_at(depths, weights(x)), varying);
+                    let depth = depth_at(depths, (edges * setup.per_area).as_vec3());
+                    pixels.pixel(x as i32, y, depth, || from.plus(step.times((x - first) as f32)));
+                    edges += setup.right;
                 }
                 first += i64::from(N);
                 here = (first < end).then_some(to);

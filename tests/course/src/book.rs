@@ -30,11 +30,11 @@ pub fn open(missions: &Missions, which: Option<&str>) -> anyhow::Result<()> {
     let page = missions.course.join("target/book").join(&mission.lesson).with_extension("html");
     let chapter = missions.course.join("book/lessons").join(&mission.lesson).join("chapter.md");
     if !is_newer(&page, &chapter) {
-        print("The book is not built yet, or older than this chapter. That takes some minutes, once.\n")?;
-        let mut cargo = tasks::cargo("run", "book");
-        // Of a program that is built so itself, it is so anyway.
-        cargo.args(cfg!(debug_assertions).then_some("--release")).args(["--", "html"]);
-        ensure!(cargo.status().context("cannot start cargo")?.success(), "the book cannot be built");
+        print("The book is not built yet, or older than this chapter. That takes a minute or two, once.\n")?;
+        ensure!(
+            tasks::cargo("run", "book").status().context("cannot start cargo")?.success(),
+            "the book cannot be built"
+        );
     }
     // Windows' canonical paths begin in a way that browsers do not know.
     let page = if cfg!(windows) { std::path::absolute(&page) } else { page.canonicalize() };

@@ -13,6 +13,7 @@ const ALL_EXACT: &[Row] = &[("outline, sweep, barycentric, edges", Exact)];
 /// Up to where `edges` computes in `f64`, and up to where it computes at all.
 const NARROW: f32 = (1 << 16) as f32;
 const WIDE: f32 = (1_u64 << 52) as f32;
+const HALF_WIDE: f32 = (1_u64 << 51) as f32;
 
 /// Half of 1/256 px, to which corners are rounded.
 const TIE: f32 = 1.0 / 512.0;
@@ -144,6 +145,15 @@ const TABLE: &[Case<Given>] = &[
             ("sweep", Fails("missing 253, extra 1")),
             ("barycentric", Fails("extra 300")),
             ("edges", Exact),
+        ],
+    ),
+    (
+        "a side 2^51 px high and 1/256 px wide, beside a centre that f64's quotient leaves out",
+        ([7.5, 1.371_093_75, 7.503_906_25, HALF_WIDE, -4096.0, 0.0], [0, 0]),
+        &[
+            ("outline", Fails("missing 176, extra 23, visited twice 1")),
+            ("sweep", Fails("extra 23, visited twice 9")),
+            ("barycentric, edges", Exact),
         ],
     ),
     (

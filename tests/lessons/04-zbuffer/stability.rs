@@ -35,6 +35,16 @@ const TABLE: &[Case<Scene>] = &[
         &[("painter, z16, z24, z-f32", Exact)],
     ),
     (
+        "the whole scene at one depth",
+        || vec![triangle(0, 0.3), triangle(1, 0.3)],
+        &[("painter, z16, z24, z-f32", Exact)],
+    ),
+    (
+        "so near that three depths add up to no f32, the far one first",
+        || vec![triangle(0, 2e38), triangle(1, 3e38)],
+        &[("painter, z16, z24, z-f32", Exact)],
+    ),
+    (
         "in one slanting plane",
         || [0, 1, 2].map(|n| triangle(n, 0.0).map(|c| c.with_z((c.x + c.y) / 48.0 - 0.7))).to_vec(),
         &[

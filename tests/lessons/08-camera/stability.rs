@@ -116,6 +116,7 @@ fn up_along_the_view_is_replaced() {
         (Vec3::new(0.3, 2.0, 0.1), Vec3::new(0.3, 2.0, 0.1), Vec3::Z),
         (Vec3::Z, Vec3::ZERO, Vec3::Y),
         (Vec3::Z, Vec3::new(5e-7, 0.0, 1.0), Vec3::Y),
+        (Vec3::Z, Vec3::new(1e-6, 0.0, 1.0), Vec3::Y),
     ] {
         assert_eq!(basis(eye, Vec3::ZERO, up), basis(eye, Vec3::ZERO, instead), "{eye} {up}");
     }

@@ -189,6 +189,11 @@ const NEAR: &[Case<&str>] = &[
         ],
     ),
     (
+        "two that reach behind the eye, one of them dark at all corners: rejected before anyone knows where it is",
+        "vn 0 0 -1\nf 4/1/1 4/1/1 5/1/1\nf 1/1/2 2/1/2 5/1/2\n",
+        &[("flat, flat-texture, gouraud, gouraud-texture, quantized", Fails("left out 1"))],
+    ),
+    (
         "a corner at w = 1.9e-6",
         "f 1/1/1 2/1/1 6/1/1\n",
         &[("flat, flat-texture, gouraud, gouraud-texture, quantized", Exact)],
@@ -220,6 +225,40 @@ fn what_reaches_behind_the_eye_is_left_out_and_counted() {
         });
         counted([("left out", by_dyn), ("by one way alone", by_dyn.abs_diff(by_generic))])
     });
+}
+
+/// Triangles whose corners all have this w.
+struct At(f32);
+
+impl Shader for At {
+    type Constant = ();
+    type Varying = ();
+    type Output = Color;
+
+    fn position(&self, vertex: usize) -> Vec4 {
+        let (x, y) = [(-1.0, -1.0), (1.0, -1.0), (0.0, 1.0)][vertex];
+        Vec4::new(x, y, 0.0, 1.0) * self.0
+    }
+
+    fn triangle(&self, _: usize) -> Option<()> {
+        Some(())
+    }
+
+    fn corner(&self, _: usize, _: usize) {}
+
+    fn fragment(&self, (): (), _: Fragment<()>) -> Option<Color> {
+        Some(Color::WHITE)
+    }
+}
+
+/// The limit itself is behind the eye, the next number before it.
+#[test]
+fn w_of_1e_6_is_behind_the_eye() {
+    for (w, left_out) in [(1e-6, 1), (1e-6f32.next_up(), 0)] {
+        let mut target = Framebuffer::new(Image::new(8, 8, Format::Rgb));
+        assert_eq!(render(&At(w), 3, &[[0, 1, 2]], &mut target), left_out, "{w}");
+        assert_eq!(target.image.get(4, 3) == Some(Color::WHITE), left_out == 0, "{w}");
+    }
 }
 
 /// From the eye at z = 2, a corner at z has w = 1 − z/2: 5e-6 is still in front of it, 5e-7 is not.
