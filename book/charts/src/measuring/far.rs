@@ -107,6 +107,10 @@ fn finding(lines: &[Line]) -> String {
     let largest = steps.max_by(|a, b| ratio(a.1).total_cmp(&ratio(b.1)));
     largest.map_or_else(String::new, |(line, pair)| {
         let [from, to] = [pair[0].0, pair[1].0].map(readable);
-        format!("From {from} to {to} px, the time of {} grows {}", line.name, times(ratio(pair)))
+        format!(
+            "At {to} px from the origin, {} takes {} as long as at {from} px",
+            line.name,
+            times(ratio(pair))
+        )
     })
 }

@@ -52,7 +52,7 @@ struct Row {
     flip: String,
     flip_object: String,
     ms_median: String,
-    /// In each build, with spaces between them.
+    /// In each build.
     ms_builds: String,
     frontier_rms: bool,
     frontier_flip: bool,

@@ -92,7 +92,7 @@ pub(crate) struct Row {
     pub(crate) error_mean: String,
     /// The one in the middle of those that builds gave.
     pub(crate) throughput_median: String,
-    /// In each build, with spaces between them.
+    /// In each build.
     pub(crate) throughput_builds: String,
     pub(crate) unit: String,
     /// Whether it does the job that the table states.
@@ -188,14 +188,17 @@ pub(crate) fn number(text: &str) -> f64 {
     text.parse().unwrap_or(f64::INFINITY)
 }
 
+/// Between the figures of builds in one cell.
+const BETWEEN: &str = " / ";
+
 /// Printed figures in one cell.
 pub(crate) fn spaced(figures: impl Iterator<Item = String>) -> String {
-    figures.collect::<Vec<_>>().join(" ")
+    figures.collect::<Vec<_>>().join(BETWEEN)
 }
 
 /// The figures in such a cell.
 pub(crate) fn numbers(text: &str) -> Vec<f64> {
-    text.split(' ').map(number).collect()
+    text.split(BETWEEN).map(number).collect()
 }
 
 /// Writes the rows of a chart as CSV.
