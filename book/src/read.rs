@@ -66,13 +66,14 @@ fn is_current(out: &Path) -> anyhow::Result<bool> {
     Ok(program < built && !is_changed(Path::new(crate::ROOT), built)?)
 }
 
-/// Whether anything in a folder was changed or removed since, but for what is built or hidden.
+/// Whether anything in a folder was changed or removed since, but for what is built or hidden, and for the missions,
+/// which no page quotes: their learners change them all the time.
 fn is_changed(folder: &Path, since: SystemTime) -> anyhow::Result<bool> {
     let entries = std::fs::read_dir(folder).with_context(|| folder.display().to_string())?;
     for entry in entries {
         let entry = entry?;
         let name = entry.file_name();
-        if matches!(name.to_str(), Some("target" | "out" | "node_modules"))
+        if matches!(name.to_str(), Some("target" | "out" | "node_modules" | "mission"))
             || name.as_encoded_bytes().starts_with(b".")
         {
             continue;
@@ -122,6 +123,8 @@ mod tests {
         };
         touch(&folder.path().join("target/made")).unwrap();
         touch(&folder.path().join(".hidden")).unwrap();
+        fs::create_dir(inner.join("mission")).unwrap();
+        touch(&inner.join("mission/lib.rs")).unwrap();
         assert!(!found());
         touch(&inner.join("lib.rs")).unwrap();
         assert!(found());

@@ -1,11 +1,10 @@
-//! A learner's way through the course: which missions there are and how far one is with them, the hints of their
-//! chapters, and the book.
+//! A learner's way through the course: which missions there are and how far one is with them, and the hints of their
+//! chapters.
 //!
 //! The missions are the lessons' folders, their marks are what the missions' programs kept
 //! ([`judge::marks`]), and the hints are read from the chapters, so that none of it stands in two places.
 //! Nothing here reads a solution.
 
-pub mod book;
 mod formula;
 pub mod hints;
 pub mod list;

@@ -35,7 +35,7 @@ pub fn told(missions: &Missions, styled: bool) -> String {
             "  {sign} {:>2}  {title:title_width$}  my-{:name_width$}  {}",
             number(&one.lesson),
             name(&one.lesson),
-            one.mark.as_ref().map_or_else(|| "░".repeat(BAR as usize), points),
+            one.mark.as_ref().map_or_else(|| "·".repeat(BAR as usize), points),
         );
         text += &match (one.is_done(), is_next) {
             (true, _) => paint("32", row),
@@ -69,7 +69,7 @@ pub fn told(missions: &Missions, styled: bool) -> String {
 /// A bar, and the points in numbers.
 fn points(mark: &Mark) -> String {
     let full = BAR * mark.earned / mark.of;
-    let bar = "█".repeat(full as usize) + &"░".repeat((BAR - full) as usize);
+    let bar = "■".repeat(full as usize) + &"·".repeat((BAR - full) as usize);
     let changed = if mark.changed { "  changed since" } else { "" };
     format!("{bar}  {:>2} of {}{changed}", mark.earned, mark.of)
 }

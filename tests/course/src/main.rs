@@ -12,9 +12,10 @@
 use std::path::Path;
 use std::process::ExitCode;
 
+use anyhow::Context;
 use clap::{Parser, Subcommand};
-use common::terminal::{eprintln, print};
-use course::{Missions, book, hints, list};
+use common::terminal::{eprintln, is_styled, print};
+use course::{Missions, hints, list};
 use tasks::{COURSE, cargo, name};
 
 /// The missions, their marks, and the next one.
@@ -59,23 +60,28 @@ fn main() -> ExitCode {
 
 fn run(asked: Option<Asked>) -> anyhow::Result<ExitCode> {
     let missions = Missions::read(Path::new(COURSE))?;
-    match asked {
-        None => print(&list::told(&missions, common::terminal::is_styled())),
-        Some(Asked::Next(which)) => return next(&missions, which.mission.as_deref()),
-        Some(Asked::Hint { which, number }) => {
-            print(&hints::open(&missions, which.mission.as_deref(), number)?)
+    let said = match asked {
+        None => list::told(&missions, is_styled()),
+        Some(Asked::Hint { which: Which { mission }, number }) => {
+            hints::open(&missions, mission.as_deref(), number)?
         }
-        Some(Asked::Book(which)) => book::open(&missions, which.mission.as_deref()),
-        Some(Asked::Solution(which)) => print(&missions.solution(which.mission.as_deref())?),
-    }
-    .map(|()| ExitCode::SUCCESS)
+        Some(Asked::Solution(Which { mission })) => missions.solution(mission.as_deref())?,
+        Some(Asked::Next(Which { mission })) => {
+            let mission = missions.find(mission.as_deref())?;
+            return start(&missions.place(mission), &format!("my-{}", name(&mission.lesson)), &["--watch"]);
+        }
+        Some(Asked::Book(Which { mission })) => {
+            let lesson = &missions.find(mission.as_deref())?.lesson;
+            let said = "The first time, the book is built, which takes a minute or two.";
+            return start(said, "book", &["read", lesson]);
+        }
+    };
+    print(&said).map(|()| ExitCode::SUCCESS)
 }
 
-/// Starts a mission. What it says and how it ends is its own.
-fn next(missions: &Missions, which: Option<&str>) -> anyhow::Result<ExitCode> {
-    let mission = missions.find(which)?;
-    let package = format!("my-{}", name(&mission.lesson));
-    print(&format!("{}\ncargo run -p {package} -- --watch\n\n", missions.place(mission)))?;
-    let status = cargo("run", &package).args(["--", "--watch"]).status()?;
+/// Says something, and starts a package's program. What that says, and how it ends, is its own.
+fn start(said: &str, package: &str, words: &[&str]) -> anyhow::Result<ExitCode> {
+    print(&format!("{said}\ncargo run -p {package} -- {}\n\n", words.join(" ")))?;
+    let status = cargo("run", package).arg("--").args(words).status().context("cannot start cargo")?;
     Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -97,8 +97,8 @@ fn without_marks_the_first_mission_is_next() {
     let at: Vec<_> = way.lessons.iter().map(|lesson| list.find(&way.row(lesson))).collect();
     assert!(at.is_sorted() && at.iter().all(Option::is_some), "{list}");
     assert_eq!(list.matches('→').count(), 1);
-    assert!(way.row(first).starts_with("  →  1  Lines ") && way.row(first).ends_with('░'));
-    assert!(!list.contains('█') && !list.contains('\x1b'), "{list}");
+    assert!(way.row(first).starts_with("  →  1  Lines ") && way.row(first).ends_with('·'));
+    assert!(!list.contains('■') && !list.contains('\x1b'), "{list}");
     assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     assert!(list::told(&way.missions(), true).contains("\x1b[1m"));
 }
@@ -114,9 +114,9 @@ fn marks_are_shown_and_the_next_mission_named() {
     assert!(list.contains(&format!(": 2 of {} missions done\n", way.lessons.len())), "{list}");
     assert!(list.contains(&format!("Next is mission 3, {}: ", name(three))), "{list}");
     for (lesson, sign, points) in [
-        (one, "  ✓", " ██████████  10 of 10"),
-        (two, "  ✓", " ██████████  10 of 10"),
-        (three, "  →", " ████░░░░░░   4 of 10"),
+        (one, "  ✓", " ■■■■■■■■■■  10 of 10"),
+        (two, "  ✓", " ■■■■■■■■■■  10 of 10"),
+        (three, "  →", " ■■■■······   4 of 10"),
     ] {
         let row = way.row(lesson);
         assert!(row.starts_with(sign) && row.ends_with(points), "{row}");
@@ -377,7 +377,7 @@ fn a_solution_pasted_is_shown_and_the_next_mission_named() {
 
     let untouched = run(&["--package=my-lines"]);
     assert!(text(&untouched.stderr).contains("Nothing is written yet. Begin at lessons/01-lines/"));
-    let row = "  →  1  Lines           my-lines       ░░░░░░░░░░   0 of 10";
+    let row = "  →  1  Lines           my-lines       ··········   0 of 10";
     let squeezed = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(list().lines().any(|line| squeezed(line) == squeezed(row)), "{}", list());
 
@@ -392,7 +392,7 @@ fn a_solution_pasted_is_shown_and_the_next_mission_named() {
         all.len()
     );
     assert!(solved.contains(&told), "{solved}");
-    let row = "✓ 1 Lines my-lines ██████████ 10 of 10";
+    let row = "✓ 1 Lines my-lines ■■■■■■■■■■ 10 of 10";
     assert!(list().lines().any(|line| squeezed(line) == row), "{}", list());
     assert!(list().contains("\nNext is mission 2, wireframe: "), "{}", list());
 
@@ -400,11 +400,11 @@ fn a_solution_pasted_is_shown_and_the_next_mission_named() {
     fs::write(source(&copy.root, "01-lines"), nothing_drawn()).expect("the copy can be written");
     assert!(list().contains("10 of 10  changed since"), "{}", list());
     assert!(!copy.cargo(&["test", "--quiet", "--package=my-lines"]).status.success());
-    let row = "→ 1 Lines my-lines ░░░░░░░░░░ 0 of 10";
+    let row = "→ 1 Lines my-lines ·········· 0 of 10";
     assert!(list().lines().any(|line| squeezed(line) == row), "{}", list());
 
     #[cfg(unix)]
-    programs::next_is_started_and_a_page_opened(&copy);
+    programs::next_and_the_book_are_started(&copy);
 }
 
 /// A line that is drawn by nobody.
@@ -421,9 +421,9 @@ mod programs {
     use std::os::unix::process::CommandExt;
     use std::process::Stdio;
 
-    use super::{Command, Copy, Path, fs, text, way_file};
+    use super::{Command, Copy, fs, text, way_file};
 
-    pub(super) fn next_is_started_and_a_page_opened(copy: &Copy) {
+    pub(super) fn next_and_the_book_are_started(copy: &Copy) {
         let program = || {
             let mut program = Command::new(copy.root.join("target/debug/course"));
             program.current_dir(&copy.root).env("CARGO_TARGET_DIR", copy.root.join("target"));
@@ -442,32 +442,19 @@ mod programs {
         assert_eq!(told.first().map(String::as_str), Some(place), "{told:?}");
         assert!(copy.root.join("out/my-02-wireframe.mark").exists(), "{told:?}");
 
-        // A browser that writes down what it is to open.
-        let tools = copy.root.join("target/tools");
-        let opened = tools.join("opened");
-        let _ = fs::remove_file(&opened);
-        for name in ["xdg-open", "open"] {
-            way_file(&tools.join(name), &format!("#!/bin/sh\necho \"$1\" >{}\n", opened.display()));
-            let executable = fs::Permissions::from_mode(0o755);
-            fs::set_permissions(tools.join(name), executable).expect("it is ours");
-        }
-        let page = copy.root.join("target/book/03-triangles.html");
-        way_file(&page, "<p>A chapter.</p>\n");
-        let book =
-            |path: &Path| program().args(["book", "3"]).env("PATH", path).output().expect("it was built");
-        let output = book(&tools);
-        let page = page.canonicalize().expect("it was just written");
-        assert!(output.status.success(), "{}", text(&output.stderr));
-        assert_eq!(text(&output.stdout), format!("{}\n", page.display()));
-        assert_eq!(fs::read_to_string(&opened).expect("it was opened").trim(), page.display().to_string());
-        // Where there is no browser, the page is named all the same.
-        let output = book(&copy.root.join("assets"));
-        let said = text(&output.stderr);
+        // In the place of cargo, what writes down what it is to do.
+        let (stand_in, asked) = (copy.root.join("target/stand-in"), copy.root.join("target/asked"));
+        way_file(&stand_in, &format!("#!/bin/sh\necho \"$@\" >{}\nexit 3\n", asked.display()));
+        fs::set_permissions(&stand_in, fs::Permissions::from_mode(0o755)).expect("it is ours");
+        let output = program().args(["book", "3"]).env("CARGO", &stand_in).output().expect("it was built");
+        let said = text(&output.stdout);
+        assert!(said.contains("\ncargo run -p book -- read 03-triangles\n"), "{said}");
+        let asked = fs::read_to_string(asked).expect("it was started");
         assert!(
-            said.starts_with("error: no browser could be started (") && said.lines().count() == 1,
-            "{said}"
+            asked.starts_with("run ") && asked.ends_with("--package book -- read 03-triangles\n"),
+            "{asked}"
         );
-        assert_eq!(text(&output.stdout), format!("{}\n", page.display()));
+        assert_eq!(output.status.code(), Some(1));
     }
 }
 

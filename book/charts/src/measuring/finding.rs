@@ -1,5 +1,6 @@
 //! What a chart shows, in one sentence: its title, from its figures as printed.
 
+use super::digits::readable;
 use super::draw::Line;
 use super::frontier::is_faster;
 use super::table::{Chart, Point, Row, number};
@@ -14,7 +15,7 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
     let good: Vec<&Row> = does_it.iter().copied().filter(|row| row.frontier && error(row) <= limit).collect();
     let faster = |a: &Row, b: &Row| is_faster(&a.figure(), &b.figure());
     let Some(quickest) = fastest(&does_it) else { return "No method does the job".into() };
-    let off = |row: &Row| format!("{} {}", row.error_max, chart.error.unit);
+    let off = |row: &Row| format!("{} {}", readable(error(row)), chart.error.unit);
     let Some(pick) = fastest(&good) else {
         let mean = |row: &Row| number(&row.error_mean);
         let nearest = does_it.iter().min_by(|a, b| mean(a).total_cmp(&mean(b)));
@@ -22,7 +23,7 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
             format!(
                 "No method stays {within}: {} comes nearest, {} off in the mean and {} at worst",
                 row.method,
-                row.error_mean,
+                readable(mean(row)),
                 off(row)
             )
         });
@@ -52,14 +53,14 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
     let never: Vec<&str> =
         lines.iter().filter(|line| line.ringed.is_none()).map(|line| line.name.as_str()).collect();
     let failing = lines.iter().filter_map(|line| Some((line.ringed?, *line)));
-    let at = |at: usize, line: &Line| super::digits::readable(line.points[at].0);
+    let at = |at: usize, line: &Line| readable(line.points[at].0);
     let first = failing.clone().min_by_key(|(at, _)| *at);
     let last = failing.max_by_key(|(at, _)| *at);
     let (Some((n, first)), Some((m, last))) = (first, last) else {
         return format!("None fails, whatever the {stress}");
     };
     let fail = if first.name.contains(',') { "fail" } else { "fails" };
-    let (who, begin) = (&first.name, at(n, first));
+    let (who, begin) = (named(&first.name), at(n, first));
     match never[..] {
         [] if n == m => format!("{who} {fail} from {begin} on"),
         [] => format!("{who} {fail} first, at {begin}; {} last, at {}", last.name, at(m, last)),
@@ -75,6 +76,11 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
             format!("{who} {fail} first, at {begin}; {names} hold throughout")
         }
     }
+}
+
+/// A method's name in a sentence: in quotes where it would be read as one of the sentence's own words.
+fn named(name: &str) -> String {
+    if name == "none" { format!("“{name}”") } else { name.into() }
 }
 
 /// Of the cost at each size: which method is the fastest, and where that changes. One within a tenth is a tie with it: each
