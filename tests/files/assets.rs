@@ -111,9 +111,9 @@ fn the_floor_lies_under_the_head() {
     let floor = read("floor.obj");
     let level = floor.positions()[0].y;
     assert!(floor.positions().iter().all(|p| p.y == level));
-    let areas = floor.faces().map(|corners| cross(corners).dot(Vec3::Y) / 2.0);
-    assert!(areas.clone().all(|area| area > 0.0));
-    assert_eq!((areas.sum::<f32>(), floor.reach()), (256.0 * 256.0, 128.0));
+    let areas: Vec<f32> = floor.faces().map(|corners| cross(corners).y / 2.0).collect();
+    assert!(areas.iter().all(|&area| area > 0.0));
+    assert_eq!((areas.iter().sum::<f32>(), floor.reach()), (256.0 * 256.0, 128.0));
     let lowest = read("head.obj").positions().iter().map(|p| p.y).fold(f32::INFINITY, f32::min);
     assert!((1e-4..1e-3).contains(&(lowest - level)), "{lowest} {level}");
     // Four texels of the checks to a unit of floor.
