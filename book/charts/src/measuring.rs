@@ -17,6 +17,7 @@ pub(crate) mod measure;
 pub(crate) mod models;
 mod needs;
 mod place;
+mod savings;
 pub(crate) mod scene;
 mod speed;
 mod summary;
@@ -56,7 +57,8 @@ struct Comparison {
 }
 
 /// The comparisons of whole pictures.
-const COMPARISONS: [Comparison; 3] = [needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
+const COMPARISONS: [Comparison; 4] =
+    [savings::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
 
 /// Charts: what is behind the name of each file, and the SVG.
 type Pictures = Vec<(String, String)>;
@@ -171,7 +173,7 @@ pub fn run(flags: &Flags) -> anyhow::Result<()> {
     }
     let folder = folder(flags)?;
     let comparisons: Vec<&Comparison> =
-        if flags.lesson.is_none() { COMPARISONS.iter().collect() } else { Vec::new() };
+        COMPARISONS.iter().filter(|comparison| wanted(comparison.name)).collect();
     if !flags.draw {
         let mut run = Run::start(effort, flags.seconds, folder.clone())?;
         if same(&folder, Path::new(COMMITTED)) {
