@@ -12,7 +12,7 @@ use clipping::{ClipVertex, Cull, METHODS, Mesh, Polygon, SLABS, clip, draw};
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
 use gouraud::corner_normals;
 use perspective::scene::Loaded;
-use perspective::{perspective, view, window};
+use perspective::{perspective, view};
 use shaders::Uniforms;
 use textures::Wrap;
 use triangles::fill;
@@ -349,33 +349,65 @@ fn one_way([a, b]: [ClipVertex<()>; 2], [from, to]: [f64; 2]) -> ClipVertex<()> 
     ClipVertex { position: a.position + t * (b.position - a.position), varying: () }
 }
 
-fn cracks() -> anyhow::Result<Drawing> {
-    // A floor about a point far behind the eye, in sectors that alternate between two blues.
-    let sectors = 30;
-    let to_clip = perspective(60.0, 1.0, 0.1, 1000.0)?;
-    let ring = |n: i32| Vec3::new(n as f32 * 0.9 - 13.0, -1.0, -9.0 - (n % 3) as f32);
-    let hub = Vec3::new(531.3, -1.0, 70_000.7);
-    let drawn = |cut: Cut| {
-        let mut image = canvas(SIDE);
-        for n in 0..sectors {
-            let corner = |p: Vec3| ClipVertex { position: to_clip * p.extend(1.0), varying: () };
-            // Half of the triangles begin at the hub.
-            let corners = [hub, ring(n + 1), ring(n)].map(corner);
-            let rest = cut_by(corners, PLANES[0], cut);
-            let color = [Color::rgb(0x5a, 0xa9, 0xd6), Color::rgb(0x2f, 0x86, 0xbd)][n as usize % 2];
-            let order: Vec<u32> = (0..rest.len() as u32).collect();
-            for triangle in Topology::Fan.triangles(&order) {
-                let places = triangle.map(|n| window(rest[n as usize].position, image.size()));
-                if let [Some(a), Some(b), Some(c)] = places {
-                    let bounds = image.bounds();
-                    fill([a, b, c].map(Vec4::xy), bounds, |x, y, _| image.set(x, y, color));
-                }
-            }
+/// A floor of triangles in two blues in turn, of each of which `rest` leaves a polygon without dents; what is left is divided
+/// by its w and filled.
+fn flat(
+    triangles: &[[Vec3; 3]],
+    to_clip: Mat4,
+    side: u16,
+    rest: impl Fn([ClipVertex<()>; 3]) -> Vec<ClipVertex<()>>,
+) -> Image {
+    let mut image = canvas(side);
+    let (bounds, size) = (image.bounds(), image.size());
+    for (n, triangle) in triangles.iter().enumerate() {
+        let rest = rest(triangle.map(|p| ClipVertex { position: to_clip * p.extend(1.0), varying: () }));
+        let places: Vec<Vec2> =
+            rest.iter().map(|corner| (corner.position.xy() / corner.position.w + 1.0) * size / 2.0).collect();
+        let color = [Color::rgb(0x5a, 0xa9, 0xd6), Color::rgb(0x2f, 0x86, 0xbd)][n % 2];
+        let order: Vec<u32> = (0..places.len() as u32).collect();
+        for triangle in Topology::Fan.triangles(&order) {
+            fill(triangle.map(|n| places[n as usize]), bounds, |x, y, _| image.set(x, y, color));
         }
-        image
-    };
-    const SIDE: u16 = 220;
-    all_beside([one_way as Cut, cut].map(|cut| Ok(drawn(cut).scale(2 * SIDE, 2 * SIDE))))
+    }
+    image
+}
+
+fn cracks() -> anyhow::Result<Drawing> {
+    // Triangles that meet far behind the eye.
+    let hub = Vec3::new(531.3, -1.0, 70_000.7);
+    let ring = |n: i32| Vec3::new(n as f32 * 0.9 - 13.0, -1.0, -9.0 - (n % 3) as f32);
+    let triangles: Vec<[Vec3; 3]> = (0..30).map(|n| [hub, ring(n + 1), ring(n)]).collect();
+    let to_clip = perspective(60.0, 1.0, 0.1, 1000.0)?;
+    all_beside([one_way as Cut, cut].map(|cut| {
+        let image = flat(&triangles, to_clip, 220, |corners| cut_by(corners, PLANES[0], cut));
+        Ok(image.scale(440, 440))
+    }))
+}
+
+fn divided() -> anyhow::Result<Drawing> {
+    let strip = |n: i32| [n, n + 1].map(|n| n as f32 * 2.0 - 12.0);
+    let triangles: Vec<[Vec3; 3]> = (0..12)
+        .map(strip)
+        .flat_map(|[left, right]| {
+            let at = |x: f32, z: f32| Vec3::new(x, -1.0, z);
+            [
+                [at(left, 3.0), at(right, 3.0), at(right, -30.0)],
+                [at(left, 3.0), at(right, -30.0), at(left, -30.0)],
+            ]
+        })
+        .collect();
+    let to_clip = perspective(60.0, 1.0, 0.1, 1000.0)?;
+    let right = flat(&triangles, to_clip, 440, |corners| cut_by(corners, PLANES[0], cut));
+    let wrong = flat(&triangles, to_clip, 440, |corners| corners.to_vec());
+    all_beside([Ok(right), Ok(wrong)])
+}
+
+fn turned() -> anyhow::Result<Drawing> {
+    let head = [of_head()?];
+    let to_clip = to_clip(36.0, EYE, Vec3::ZERO)?;
+    all_beside(
+        [Cull::Back, Cull::Front].map(|cull| Ok(picture(&head, (cull, Clipping::GuardBand), to_clip, 440))),
+    )
 }
 
 /// What of a triangle is inside of a plane, cut in a way of its own.
