@@ -9,8 +9,9 @@ use triangles::barycentric::weights;
 use triangles::{flat_intensity, to_screen};
 use zbuffer::{DepthBuffer, fill_nearest};
 
-use crate::figures::picture::{beside, canvas, model, painted};
+use crate::figures::picture::{all_beside, beside, canvas, model, painted};
 use crate::figures::{Drawing, Figure};
+use crate::lessons::perspective::figures::{ball_before, two_floors, two_triangles};
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new("wrong-upside-down", "A model, and the same standing on its head.", upside_down),
@@ -70,6 +71,21 @@ pub(crate) const FIGURES: &[Figure] = &[
         "wrong-center",
         "A model in the middle of the picture, and the same model at the picture's border.",
         off_center,
+    ),
+    Figure::new(
+        "wrong-affine",
+        "A chequered floor of two triangles with straight lines, and the same floor with lines that break at a diagonal.",
+        || all_beside(["per-pixel", "affine"].map(two_triangles)),
+    ),
+    Figure::new(
+        "wrong-fighting",
+        "A blue floor to the horizon, and the same floor with orange stripes in its far half.",
+        || all_beside(["reversed-z-f32", "z24"].map(|keep| two_floors(keep, 440))),
+    ),
+    Figure::new(
+        "wrong-aspect",
+        "A ball in a wide picture, and the same ball as wide as the picture is.",
+        aspect,
     ),
 ];
 
@@ -309,4 +325,8 @@ fn off_center() -> anyhow::Result<Drawing> {
     };
     let [right, wrong] = [camera::lookat, camera::listing].map(|view| view(eye, center, Vec3::Y));
     beside([&draw(right)?, &draw(wrong)?])
+}
+
+fn aspect() -> anyhow::Result<Drawing> {
+    all_beside([2.0, 1.0].map(ball_before))
 }

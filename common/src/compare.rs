@@ -133,6 +133,8 @@ mod tests {
         let shown = difference.picture(&expected);
         let colors = [(2, 0), (3, 2), (1, 0), (0, 1)].map(|(x, y)| shown.get(x, y).unwrap());
         assert_eq!(colors, [MISSING, EXTRA, RECOLORED, Color::BLACK]);
+        // What is the same is shown as bright as it looks, and darkened.
+        assert_eq!(shown.get(0, 0), Some(Color::gray(0.35 * f32::from(Color::RED.luma()) / 255.0)));
     }
 
     #[test]
@@ -177,6 +179,8 @@ mod tests {
         };
         assert_eq!(sheet(2000, 10), Ok((2 * 6000 + 12, 20)));
         assert_eq!(sheet(5457, 1), Ok((16_383, 1)));
+        // Twice as large they would fit, but the gaps would not.
+        assert_eq!(sheet(2730, 1), Ok((3 * 2730 + 12, 1)));
         assert_eq!(sheet(1, 16_384), Ok((15, 16_384)));
         assert_eq!(sheet(0, 0), Ok((12, 0)));
         for (width, height, size) in [

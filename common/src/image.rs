@@ -303,6 +303,26 @@ mod tests {
     }
 
     #[test]
+    fn the_bounds_hold_the_pixels_and_no_others() {
+        let bounds = Image::new(3, 2, Format::Gray).bounds();
+        let inside =
+            (-2..5).flat_map(|y| (-2..5).map(move |x| (x, y))).filter(|&(x, y)| bounds.contains(x, y));
+        assert_eq!(inside.collect::<Vec<_>>(), [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)]);
+        assert!(!Image::new(0, 2, Format::Gray).bounds().contains(0, 0));
+    }
+
+    #[test]
+    fn blending_mixes_with_what_lies_below() {
+        let mut image = Image::new(3, 1, Format::Rgb);
+        for (x, coverage) in [(0, 0), (1, 51), (2, 255)] {
+            image.set(x, 0, Color::GREEN);
+            image.blend(x, 0, Color::RED, coverage);
+        }
+        assert_eq!(image.buffer(), [0, 255, 0, 51, 204, 0, 255, 0, 0]);
+        assert_eq!(format!("{image:?}"), "Image(3×1 Rgb)");
+    }
+
+    #[test]
     fn the_buffer_starts_at_the_bottom_left() {
         let mut image = Image::new(2, 2, Format::Gray);
         image.set(1, 0, Color::WHITE);

@@ -26,6 +26,10 @@ fn products_of_the_plane() {
     ] {
         assert!((matrix * point).distance(expected.into()) < 1e-6, "{matrix}: {}", matrix * point);
     }
+    // The quiz: a move by 3 along x after and before the quarter turn.
+    let by = Vec2::new(3.0, 0.0);
+    assert!((quarter * Vec2::X + by).distance(Vec2::new(3.0, 1.0)) < 1e-6);
+    assert!((quarter * (Vec2::X + by)).distance(Vec2::new(0.0, 4.0)) < 1e-6);
     // The products as they are written out.
     let (k, a) = (0.7_f32, 0.4_f32);
     let (r, h) = (Mat2::from_angle(a), Mat2::from_cols_array(&[1.0, 0.0, k, 1.0]));

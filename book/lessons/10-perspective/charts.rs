@@ -4,6 +4,7 @@ use common::{Attributes, Bounds, Format, IVec2, Image, Method, Model, Vec2, Vec3
 use fastrand::Rng;
 use glam::{DMat3, DVec2};
 use gouraud::corner_normals;
+use perspective::division::Reciprocal;
 use perspective::{DEPTHS, DIVISIONS, Draw, Interpolate, Keep, METHODS, Planes, perspective};
 use shaders::Uniforms;
 use textures::Wrap;
@@ -35,7 +36,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     work: method_work,
     sizes: Sizes { name: "triangles", all: &[2, 8, 32, 128, 512, 2048, 8192, 32_768], usual: 32 },
     stability: Stability {
-        stress: "ratio of the depths of a triangle's corners",
+        stress: "how much deeper a triangle's farthest corner is, over the nearest one's depth",
         falling: false,
         error: Quantity {
             name: "largest error, triangles of 256 px",
@@ -47,8 +48,8 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     wrong: &[],
     advice: &[
         ("per-pixel", "always, on today's processors"),
-        ("every-8", "where a division costs as much as eight pixels"),
-        ("every-16", "the same, and small errors may show"),
+        ("every-8", "where a division takes as long as several pixels, and an error of some texels may show"),
+        ("every-16", "where it takes as long as many pixels, and a ripple may show"),
         ("affine", "triangles that are hardly deeper on one side than on the other"),
     ],
 };
@@ -85,7 +86,7 @@ pub(crate) const DEPTHS_CHART: Chart = Chart {
     advice: &[
         ("reversed-z-f32", "always, where the buffer holds floats"),
         ("z-f32", "small scenes: a far plane at no more than a thousand times the near one's depth"),
-        ("z24", "the same, where the buffer holds whole numbers"),
+        ("z24", "small scenes, where the buffer holds whole numbers"),
         ("w", "where the distance itself is needed afterwards"),
         ("logarithmic", "where the buffer holds whole numbers and the scene is deep"),
     ],
@@ -120,8 +121,8 @@ pub(crate) const DIVISIONS_CHART: Chart = Chart {
     wrong: &[],
     advice: &[
         ("exact", "unless a division is what a program waits for"),
-        ("fast-2", "where it is, and the texture is smaller than some 70,000 texels"),
-        ("fast-1", "the same, below some 200 texels"),
+        ("fast-2", "where it is, and a texture has less than some 70,000 texels each way"),
+        ("fast-1", "where it is, and a texture has less than some 200 texels each way"),
     ],
 };
 
@@ -193,16 +194,16 @@ fn method_errors(effort: Effort) -> Vec<Errors> {
     errors
 }
 
-/// Corners deeper and deeper behind each other.
+/// Corners deeper and deeper behind the nearest one.
 fn method_stability(effort: Effort) -> Vec<Series> {
-    let ratios = (0..=14).map(|n| 1.0 + 10f64.powf(f64::from(n) / 2.0 - 3.0));
-    let worst = |method: &Method<Interpolate>, ratio: f64| {
+    let shares = (0..=14).map(|n| 10f64.powf(f64::from(n) / 2.0 - 3.0));
+    let worst = |method: &Method<Interpolate>, share: f64| {
         let mut random = effort.random();
         let triangles =
-            (0..effort.samples(200)).map(|_| Triangle::random(&mut random, ratio).errors(method).0);
+            (0..effort.samples(200)).map(|_| Triangle::random(&mut random, 1.0 + share).errors(method).0);
         triangles.fold(0.0, f64::max)
     };
-    METHODS.iter().map(|method| ratios.clone().map(|ratio| (ratio, worst(method, ratio))).collect()).collect()
+    METHODS.iter().map(|method| shares.clone().map(|share| (share, worst(method, share))).collect()).collect()
 }
 
 /// A wall that fills the view, of so many triangles, from the depth 1 at the left side to 4 at the right one.
@@ -328,22 +329,21 @@ fn division_errors(effort: Effort) -> Vec<Errors> {
 fn division_work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let numbers: Vec<f32> = (0..size).map(|_| 0.5 + random.f32()).collect();
-    let work = |all: fn(&mut [f32]), amount: usize| {
-        // Twice the reciprocal is the number again, or nearly: it stays where it is however often this is done.
-        let mut numbers = numbers.clone();
-        Work::new(amount as f64, move || {
+    let work = |method: &Method<Reciprocal>| {
+        // The reciprocal of a reciprocal is the number again, or nearly: all stay about 1 however often this is done.
+        let (mut numbers, all) = (numbers.clone(), method.run.all);
+        Work::new(size as f64, move || {
             all(&mut numbers);
             numbers[0]
         })
     };
-    let nothing = work(|numbers| numbers.iter_mut().for_each(|x| *x = -*x), 0);
-    std::iter::once(nothing).chain(DIVISIONS.iter().map(|method| work(method.run.all, size))).collect()
+    DIVISIONS.iter().map(work).collect()
 }
 
 /// Larger and larger numbers, up to the largest: their reciprocals get too small for the trick.
 fn division_stability(effort: Effort) -> Vec<Series> {
     let exponents = [0, 10, 20, 40, 60, 80, 100, 110, 120, 124, 125, 126, 127];
-    let worst = |method: &Method<perspective::division::Reciprocal>, exponent: i32| {
+    let worst = |method: &Method<Reciprocal>, exponent: i32| {
         let mut random = effort.random();
         let some = (0..effort.samples(1000)).map(|_| (1.0 + random.f32() * 0.999) * 2f32.powi(exponent));
         some.map(|x| off(method.run.one, x)).fold(0.0, f64::max)

@@ -12,7 +12,7 @@ use shaders::Uniforms;
 use textures::Wrap;
 
 use crate::figures::picture::{all_beside, canvas, chequered, method, model, painted, paste, texture};
-use crate::figures::shape::parsed;
+use crate::figures::shape::{ball, parsed};
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, ORANGE, PURPLE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::transforms::figures::TILES;
@@ -185,17 +185,19 @@ fn head() -> anyhow::Result<Drawing> {
     }))
 }
 
-/// Chapter 9's floor of two triangles, as wide as deep, from the depth 1 to 3, filling the picture's width.
-fn floor() -> anyhow::Result<Drawing> {
+/// Chapter 9's floor of two triangles, as wide as deep, from the depth 1 to 3, interpolated in one way.
+pub(crate) fn two_triangles(way: &str) -> anyhow::Result<Image> {
     let at = |x: f32, z: f32| Vec3::new(x, -1.0, z);
     let model = quad([at(-1.0, -1.0), at(1.0, -1.0), at(1.0, -3.0), at(-1.0, -3.0)], [1.0, 1.0])?;
     let subjects = [Subject::new(model, chequered(8, 8, TILES), Wrap::Clamp)];
     let to_clip = frustum(-0.102, 0.102, -0.102, -0.032, PLANES.near, PLANES.far)?;
-    all_beside(["affine", "per-pixel"].map(|way| {
-        let mut image = Image::new(448, 154, Format::Rgb);
-        draw((way, "z-f32"), &subjects, Vec3::Z, to_clip, PLANES, &mut image)?;
-        Ok(image)
-    }))
+    let mut image = Image::new(448, 154, Format::Rgb);
+    draw((way, "z-f32"), &subjects, Vec3::Z, to_clip, PLANES, &mut image)?;
+    Ok(image)
+}
+
+fn floor() -> anyhow::Result<Drawing> {
+    all_beside(["affine", "per-pixel"].map(two_triangles))
 }
 
 fn spaces() -> anyhow::Result<Drawing> {
@@ -523,23 +525,34 @@ fn plain_floor(nearer: f32, color: Color) -> anyhow::Result<Subject> {
     Ok(Subject::new(model, painted(1, 1, |_, _| color), Wrap::Clamp))
 }
 
-fn fighting() -> anyhow::Result<Drawing> {
+/// Two floors, one nearer than the other by a small share of the distance at every pixel; depths kept in one way.
+pub(crate) fn two_floors(keep: &str, width: u16) -> anyhow::Result<Image> {
+    const HEIGHT: u16 = 264;
     // The far one first: where the two are not told apart, it stays.
     let subjects =
         [plain_floor(0.0, Color::rgb(0xd5, 0x5e, 0x00))?, plain_floor(NEARER, Color::rgb(0x00, 0x72, 0xb2))?];
     let planes = Planes { near: 0.01, far: 2000.0 };
-    const SIZE: [u16; 2] = [176, 264];
-    let [width, height] = SIZE.map(f32::from);
     // The horizon near the upper border of the picture; the head a little to the side, so that no row has one depth.
     let (low, high) = (-0.0092, 0.0004);
-    let side = (high - low) * width / height / 2.0;
+    let side = (high - low) * f32::from(width) / f32::from(HEIGHT) / 2.0;
     let tilted = view(Vec3::ZERO, -Vec3::Z, Vec3::new(0.1, 1.0, 0.0)).context("it looks somewhere")?;
     let to_clip = frustum(-side, side, low, high, planes.near, planes.far)? * tilted;
-    all_beside(DEPTHS.iter().map(|row| {
-        let mut image = Image::new(SIZE[0], SIZE[1], Format::Rgb);
-        draw(("per-pixel", row.name), &subjects, Vec3::Z, to_clip, planes, &mut image)?;
-        Ok(image)
-    }))
+    let mut image = Image::new(width, HEIGHT, Format::Rgb);
+    draw(("per-pixel", keep), &subjects, Vec3::Z, to_clip, planes, &mut image)?;
+    Ok(image)
+}
+
+/// A ball in a picture twice as wide as high, by a camera for pictures of that ratio.
+pub(crate) fn ball_before(ratio: f32) -> anyhow::Result<Image> {
+    let subjects = [Subject::new(ball(48, 80)?, painted(1, 1, |_, _| Color::WHITE), Wrap::Clamp)];
+    let to_clip = perspective(30.0, ratio, PLANES.near, PLANES.far)? * looking(Vec3::Z * 5.0, Vec3::ZERO)?;
+    let mut image = Image::new(900, 450, Format::Rgb);
+    draw(("per-pixel", "z-f32"), &subjects, light(), to_clip, PLANES, &mut image)?;
+    Ok(image.scale(450, 225))
+}
+
+fn fighting() -> anyhow::Result<Drawing> {
+    all_beside(DEPTHS.iter().map(|row| two_floors(row.name, 176)))
 }
 
 /// By what share of its distance the second floor is nearer.

@@ -226,7 +226,7 @@ mod tests {
     #[test]
     fn a_header_that_claims_too_much_is_refused() {
         for (kind, width, height, bits) in
-            [(2, u16::MAX, u16::MAX, 32), (2, SIDE_LIMIT, SIDE_LIMIT, 32), (3, SIDE_LIMIT + 1, 1, 8)]
+            [(2, u16::MAX, u16::MAX, 32), (2, 8192, 8193, 32), (3, SIDE_LIMIT + 1, 1, 8)]
         {
             let error = Image::decode(&header(kind, width, height, bits), Encoding::TgaRle).unwrap_err();
             assert!(matches!(error, PictureError::TooLarge), "{width}x{height}: {error}");
@@ -248,6 +248,19 @@ mod tests {
                 let error = Image::decode(&header(2, width, height, 32), Encoding::TgaRle).unwrap_err();
                 assert!(matches!(error, PictureError::Truncated), "{width}x{height}: {error}");
             }
+        }
+    }
+
+    #[test]
+    fn a_file_may_have_as_many_bytes_as_the_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        fs::write(&path, b"12345").unwrap();
+        for limit in [5, 6, 100] {
+            assert_eq!(read_bytes(&path, limit).unwrap(), b"12345", "{limit}");
+        }
+        for limit in [0, 1, 4] {
+            assert!(matches!(read_bytes(&path, limit), Err(Error::TooLarge { .. })), "{limit}");
         }
     }
 

@@ -81,4 +81,14 @@ mod tests {
         let [near, far] = [1024.0, 1024.5].map(|x| DVec3::new(0.0, x, 0.0));
         assert_eq!([origin(DVec3::X), origin(near), origin(far)], [DVec3::ZERO, DVec3::ZERO, far]);
     }
+
+    #[test]
+    fn the_view_far_away_is_the_view_near_by() {
+        let near = ViewFlags { eye: DVec3::new(3.0, 4.0, 12.0), center: DVec3::ZERO, up: DVec3::Y };
+        let by = DVec3::new(5000.0, -70.0, 300.0);
+        let far = ViewFlags { eye: near.eye + by, center: by, ..near };
+        assert_eq!(far.look(crate::lookat).ok(), near.look(crate::lookat).ok());
+        assert_eq!([near.distance(), far.distance()], [13.0; 2]);
+        assert_eq!(far.turned(1, 4).eye, near.turned(1, 4).eye + by);
+    }
 }

@@ -1,6 +1,7 @@
 //! Which side of a triangle is seen.
 
-use common::{Method, Vec2, Vec3, Vec4, Vec4Swizzles};
+use common::{DVec2, Method, Vec2, Vec3, Vec4, Vec4Swizzles};
+use triangles::edges::SUBPIXELS;
 
 /// A triangle as it is in the world and in clip space, for whoever wants to know which side of it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,13 +61,18 @@ fn by_normal([a, b, c]: [Vec3; 3], eye: Vec3) -> f64 {
 }
 // ANCHOR_END: by_normal
 
-/// Twice the area of the triangle in the picture, in 1/256 px squared; positive where its corners run counterclockwise.
+/// Twice the area of the triangle in the picture.
 // ANCHOR: by_area
 fn by_area(corners: [Vec4; 3], size: Vec2) -> f64 {
-    let [a, b, c] = corners.map(|corner| {
-        let pixels = (corner.xy() / corner.w + 1.0) * size / 2.0;
-        (pixels * 256.0).as_dvec2().round()
-    });
+    area(corners.map(|corner| (corner.xy() / corner.w + 1.0) * size / 2.0))
+}
+
+/// Twice the area of a triangle with its corners rounded as lesson 3 rounds them, in (1/256 px)²; positive where they run
+/// counterclockwise.
+#[must_use]
+pub fn area(corners: [Vec2; 3]) -> f64 {
+    let snap = |coordinate: f32| f64::from((coordinate * SUBPIXELS as f32).round_ties_even());
+    let [a, b, c] = corners.map(|corner| DVec2::from_array(corner.to_array().map(snap)));
     (b - a).perp_dot(c - a)
 }
 // ANCHOR_END: by_area

@@ -4,7 +4,7 @@
 //! the picture satisfies −w ≤ x, y, z ≤ w, which is six such conditions: *x + w ≥ 0* is (1, 0, 0, 1)·*v* ≥ 0, and so on
 //! (notes, *Clipping*). The division by w has not happened yet, so all of this holds for points behind the eye, too.
 
-use common::{Vec2, Vec4};
+use common::{Vec2, Vec3, Vec4, Vec4Swizzles};
 
 /// Near and far, then left, right, bottom and top. Near comes first: it leaves nothing behind the eye for the others.
 // ANCHOR: planes
@@ -65,3 +65,17 @@ pub fn outcode(planes: &[Vec4], point: Vec4) -> u8 {
     planes.iter().rev().fold(0, |code, &plane| code << 1 | u8::from(distance(plane, point) < 0.0))
 }
 // ANCHOR_END: outcode
+
+/// The same of the picture's own planes, in six comparisons: those where x, y and z are below −w, then above w. A vertex
+/// that is outside of none is beyond no guard band.
+// ANCHOR: outside
+#[inline]
+#[must_use]
+pub fn outside(point: Vec4) -> u8 {
+    let (position, w) = (point.xyz(), Vec3::splat(point.w));
+    (position.cmplt(-w).bitmask() | position.cmpgt(w).bitmask() << 3) as u8
+}
+// ANCHOR_END: outside
+
+/// The bit of the near plane in [`outside`].
+pub const NEAR: u8 = 1 << 2;

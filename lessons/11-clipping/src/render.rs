@@ -2,7 +2,7 @@
 
 use std::ops::AddAssign;
 
-use common::{Vec2, Vec4};
+use common::{Vec2, Vec4, Vec4Swizzles};
 use perspective::division::Exact;
 use perspective::interpolation::PerPixel;
 use perspective::render::{Fragments, draw_triangle};
@@ -10,12 +10,11 @@ use perspective::window;
 use shaders::shader::{Shader, Varying};
 use shaders::target::Target;
 
-use crate::assembly::Topology;
 use crate::clip::{ClipVertex, MOST_CORNERS, Polygon, clip};
-use crate::facing::{Cull, facing};
+use crate::facing::{Cull, area, facing};
 use crate::homogeneous;
 use crate::mesh::Mesh;
-use crate::plane::{PLANES, guard_band, outcode};
+use crate::plane::{NEAR, PLANES, guard_band, outcode, outside};
 
 /// What is done with triangles that are not wholly in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,16 +70,6 @@ struct Computed<V> {
     beyond: u8,
 }
 
-/// The corners of what is filled, in the window.
-struct Placed<V> {
-    windows: [Vec4; MOST_CORNERS],
-    varyings: [V; MOST_CORNERS],
-    count: usize,
-}
-
-/// The numbers of a polygon's corners.
-const ORDER: [u32; MOST_CORNERS] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
-
 /// Draws a mesh with any shader whose values at a corner hang on no more than what makes two corners one vertex in this
 /// mesh; the shader's positions are in clip space.
 ///
@@ -97,23 +86,20 @@ pub fn render<S: Shader + ?Sized>(
     let bounds = target.bounds();
     let size = (bounds.max + 1).as_vec2();
     let band = guard_band(size);
-    let (rejects, cuts): (&[Vec4], &[Vec4]) = match clipping {
-        Clipping::LeaveOut => (&[], &[]),
-        Clipping::Near => (&PLANES[..1], &PLANES[..1]),
-        Clipping::SixPlanes => (&PLANES, &PLANES),
-        Clipping::GuardBand => (&PLANES, &band),
-        Clipping::Homogeneous => (&PLANES, &[]),
+    let (rejects, cuts): (u8, &[Vec4]) = match clipping {
+        Clipping::LeaveOut => (0, &[]),
+        Clipping::Near => (NEAR, &PLANES[..1]),
+        Clipping::SixPlanes => (u8::MAX, &PLANES),
+        Clipping::GuardBand => (u8::MAX, &band),
+        Clipping::Homogeneous => (u8::MAX, &[]),
     };
     // 1. The vertices, each once.
     let computed = mesh.vertices.iter().map(|vertex| {
         let position = shader.position(vertex.position as usize);
         let varying = shader.corner(vertex.face as usize, vertex.corner as usize);
-        Computed {
-            clip: ClipVertex { position, varying },
-            window: window(position, size),
-            outside: outcode(rejects, position),
-            beyond: outcode(cuts, position),
-        }
+        let outside = outside(position) & rejects;
+        let beyond = if outside == 0 { 0 } else { outcode(cuts, position) };
+        Computed { clip: ClipVertex { position, varying }, window: window(position, size), outside, beyond }
     });
     let vertices: Vec<Computed<S::Varying>> = computed.collect();
     let mut counts = Counts { vertices: vertices.len(), ..Counts::default() };
@@ -124,72 +110,113 @@ pub fn render<S: Shader + ?Sized>(
             counts.outside += 1;
             continue;
         }
-        let corners = [a.clip, b.clip, c.clip];
-        if cull.leaves_out(facing(corners.map(|corner| corner.position))) {
+        if cull.leaves_out(facing([a, b, c].map(|vertex| vertex.clip.position))) {
             counts.culled += 1;
             continue;
         }
         let Some(constant) = shader.triangle(face) else { continue };
-        // 3. The cut, where one is needed.
+        let corners = [a.clip, b.clip, c.clip];
         if clipping == Clipping::Homogeneous {
-            let fragments = Fragments::new(shader, constant, target);
-            homogeneous::fill(corners, bounds, fragments);
+            homogeneous::fill(corners, bounds, Fragments::new(shader, constant, target));
             counts.filled += 1;
             continue;
         }
+        // 3. The cut, where one is needed.
         let needed = a.beyond | b.beyond | c.beyond;
-        let placed = if needed == 0 {
-            Placed::of([a, b, c])
-        } else {
+        if needed != 0 {
             counts.cut += 1;
-            Placed::cut(corners, cuts, needed, size)
-        };
-        let Some(Placed { windows, varyings, count }) = placed else {
+            let polygon = clip_by(corners, cuts, needed);
+            let filled = fill_polygon(shader, constant, &polygon, size, target);
+            counts.filled += filled.unwrap_or(0);
+            counts.left_out += usize::from(filled.is_none());
+            continue;
+        }
+        // 4. The pixels.
+        let [Some(u), Some(v), Some(w)] = [a.window, b.window, c.window] else {
             counts.left_out += 1;
             continue;
         };
-        // 4. The pixels.
-        for triangle in Topology::Fan.triangles(&ORDER[..count]) {
-            let [a, b, c] = triangle.map(|corner| corner as usize);
-            let (windows, varyings) =
-                ([windows[a], windows[b], windows[c]], [varyings[a], varyings[b], varyings[c]]);
-            draw_triangle(shader, constant, windows, varyings, PerPixel(Exact), target);
-            counts.filled += 1;
-        }
+        draw_triangle(
+            shader,
+            constant,
+            [u, v, w],
+            corners.map(|corner| corner.varying),
+            PerPixel(Exact),
+            target,
+        );
+        counts.filled += 1;
     }
     counts
 }
 // ANCHOR_END: render
 
-impl<V: Varying> Placed<V> {
-    /// A triangle that needs no cut; `None` where a corner has no place in the window.
-    #[inline]
-    fn of([a, b, c]: [&Computed<V>; 3]) -> Option<Self> {
-        let ([u, v, w], [i, j, k]) =
-            ([a.window?, b.window?, c.window?], [a, b, c].map(|corner| corner.clip.varying));
-        Some(Self { windows: [u, v, w, u, u, u, u, u, u], varyings: [i, j, k, i, i, i, i, i, i], count: 3 })
-    }
-
-    /// What is left of a triangle, cut by those of the planes whose bits are set.
-    #[cold]
-    #[inline(never)]
-    fn cut(corners: [ClipVertex<V>; 3], planes: &[Vec4], needed: u8, size: Vec2) -> Option<Self> {
-        let mut polygon = Polygon::new(corners);
-        for (n, &plane) in planes.iter().enumerate() {
-            if needed >> n & 1 == 1 {
-                polygon = clip(&polygon, plane);
-            }
+/// What of a triangle is inside of those planes whose bits are set.
+// ANCHOR: clip_by
+#[cold]
+#[inline(never)]
+fn clip_by<V: Varying>(corners: [ClipVertex<V>; 3], planes: &[Vec4], needed: u8) -> Polygon<V> {
+    let mut polygon = Polygon::new(corners);
+    for (n, &plane) in planes.iter().enumerate() {
+        if needed >> n & 1 == 1 {
+            polygon = clip(&polygon, plane);
         }
-        let mut placed = Self {
-            windows: [Vec4::ZERO; MOST_CORNERS],
-            varyings: [corners[0].varying; MOST_CORNERS],
-            count: 0,
-        };
-        for corner in polygon.corners() {
-            placed.windows[placed.count] = window(corner.position, size)?;
-            placed.varyings[placed.count] = corner.varying;
-            placed.count += 1;
-        }
-        Some(placed)
     }
+    polygon
 }
+// ANCHOR_END: clip_by
+
+/// Fills a polygon as a fan of triangles, and returns of how many; `None` where a corner has no place in the window.
+// ANCHOR: fill_polygon
+#[cold]
+#[inline(never)]
+fn fill_polygon<S: Shader + ?Sized>(
+    shader: &S,
+    constant: S::Constant,
+    polygon: &Polygon<S::Varying>,
+    size: Vec2,
+    target: &mut impl Target<S::Output>,
+) -> Option<usize> {
+    let corners = polygon.corners();
+    let mut windows = [Vec4::ZERO; MOST_CORNERS];
+    for (place, corner) in windows.iter_mut().zip(corners) {
+        *place = window(corner.position, size)?;
+    }
+    let mut filled = 0;
+    fan(&windows[..corners.len()], |triangle| {
+        let varyings = triangle.map(|corner| corners[corner].varying);
+        draw_triangle(
+            shader,
+            constant,
+            triangle.map(|corner| windows[corner]),
+            varyings,
+            PerPixel(Exact),
+            target,
+        );
+        filled += 1;
+    });
+    Some(filled)
+}
+// ANCHOR_END: fill_polygon
+
+/// Calls `visit` for the triangles, three numbers of corners each, of a fan that covers a convex polygon in the window.
+///
+/// Any corner would do as the first, but corners are rounded to 1/256 px, and two that nearly coincide may be brought past
+/// each other: then a triangle of some fans, or of all, is turned round, and its pixels would be drawn twice. That fan is taken
+/// of which the least is turned round, mostly nothing, and this is not drawn.
+// ANCHOR: fan
+pub fn fan(windows: &[Vec4], mut visit: impl FnMut([usize; 3])) {
+    let count = windows.len();
+    let triangles = |first: usize| {
+        (2..count).map(move |n| {
+            let triangle = [first, (first + n - 1) % count, (first + n) % count];
+            (triangle, area(triangle.map(|corner| windows[corner].xy())))
+        })
+    };
+    let whole: f64 = triangles(0).map(|(_, area)| area).sum();
+    let turned =
+        |first: usize| triangles(first).map(|(_, area)| (-area * whole.signum()).max(0.0)).sum::<f64>();
+    let best = (0..count).map(|first| (first, turned(first))).min_by(|a, b| a.1.total_cmp(&b.1));
+    let fan = best.into_iter().flat_map(|(first, _)| triangles(first));
+    fan.filter(|(_, area)| area * whole > 0.0).for_each(|(triangle, _)| visit(triangle));
+}
+// ANCHOR_END: fan

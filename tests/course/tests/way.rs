@@ -434,12 +434,18 @@ mod programs {
         next.args(["next", "wireframe"]).stdout(Stdio::piped()).stderr(Stdio::null()).process_group(0);
         let mut next = next.spawn().expect("it was built");
         let said = BufReader::new(next.stdout.take().expect("it is a pipe"));
-        let lines = said.lines().map_while(Result::ok);
-        let told: Vec<String> = lines.take_while(|line| !line.starts_with("watching ")).collect();
+        let mut told: Vec<String> = Vec::new();
+        for line in said.lines().map_while(Result::ok) {
+            told.push(line);
+            if told.last().is_some_and(|line| line.starts_with("watching ")) {
+                break;
+            }
+        }
         let ended = Command::new("kill").args(["--", &format!("-{}", next.id())]).status();
         assert!(ended.is_ok_and(|status| status.success()) && next.wait().is_ok());
         let place = "Mission 2, wireframe: lessons/02-wireframe/mission/src/lib.rs";
         assert_eq!(told.first().map(String::as_str), Some(place), "{told:?}");
+        assert!(told.last().is_some_and(|line| line.starts_with("watching ")), "{told:?}");
         assert!(copy.root.join("out/my-02-wireframe.mark").exists(), "{told:?}");
 
         // In the place of cargo, what writes down what it is to do.

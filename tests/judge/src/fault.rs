@@ -25,6 +25,11 @@ impl<F> Fault<F> {
         let hint = self.hint.map(|hint| format!(" (hint {hint} of chapter {chapter})"));
         format!("{}{}", self.cause, hint.unwrap_or_default())
     }
+
+    /// Whether it explains that a check is not passed: not all of its versions pass it.
+    pub(crate) fn spoils(&self, row: &Row<F>) -> bool {
+        !self.versions.iter().all(|version| passes(version, row))
+    }
 }
 
 impl<F> Judge<F> {
@@ -32,10 +37,6 @@ impl<F> Judge<F> {
     /// fault that fails one of them in another way than the answers do is not what is wrong. One that passes it may be, as
     /// there may be two.
     pub(crate) fn faults_of(&self, before: &[Row<F>], row: Row<F>) -> Vec<&Fault<F>> {
-        let right = |question: &Question, answer: &Answer| matches!(answer, Answer::Raw(raw) if question.differs(raw).is_empty());
-        let passes = |version: &F, &(key, tasks, _): &Row<F>| {
-            tasks.iter().zip(&key.questions).all(|(task, question)| right(question, &attempt(task, version)))
-        };
         let gives = |version: &F, &(key, tasks, answers): &Row<F>| {
             let mut wrong = false;
             let same = tasks.iter().zip(&key.questions).zip(answers).all(|((task, question), answer)| {
@@ -51,6 +52,14 @@ impl<F> Judge<F> {
         };
         self.faults.iter().filter(|fault| fault.versions.iter().any(is_it)).collect()
     }
+}
+
+fn passes<F>(version: &F, (key, tasks, _): &Row<F>) -> bool {
+    tasks.iter().zip(&key.questions).all(|(task, question)| right(question, &attempt(task, version)))
+}
+
+fn right(question: &Question, answer: &Answer) -> bool {
+    matches!(answer, Answer::Raw(raw) if question.differs(raw).is_empty())
 }
 
 /// Whether two answers come of the same mistake. Where a picture may have strays, these are closer to each other

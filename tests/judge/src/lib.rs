@@ -114,7 +114,7 @@ impl<F> Judge<F> {
                             |fault: &&Fault<F>| named.iter().any(|named| std::ptr::eq(*named, *fault));
                         if faults.iter().any(again) {
                             faults.retain(again);
-                        } else if faults.len() > 1 {
+                        } else if faults.len() > 1 || named.iter().any(|fault| fault.spoils(&row)) {
                             faults.clear();
                         }
                     }

@@ -18,12 +18,26 @@ pub(crate) const FAULTS: &[Fault<Lines>] = &[
     Fault {
         cause: "it walks along x alone: a steep line needs a pixel in each row, so swap x and y there",
         hint: Some(1),
-        versions: &[Lines {
-            line: |a, b, image, color| {
-                let [a, b] = if a.x < b.x { [a, b] } else { [b, a] };
-                lines::slides::per_column(a, b, image.bounds(), |x, y, _| image.set(x, y, color));
+        versions: &[
+            Lines {
+                line: |a, b, image, color| {
+                    let [a, b] = if a.x < b.x { [a, b] } else { [b, a] };
+                    lines::slides::per_column(a, b, image.bounds(), |x, y, _| image.set(x, y, color));
+                },
             },
-        }],
+            // One row a column, at most.
+            Lines {
+                line: |a, b, image, color| {
+                    let [a, b] = if a.x <= b.x { [a, b] } else { [b, a] };
+                    if is_steep(a, b) {
+                        let step = IVec2::new(1, (b - a).y.signum());
+                        plot(image, color, (0..=(b - a).x).map(|n| a + step * n));
+                    } else {
+                        plot(image, color, right(a, b));
+                    }
+                },
+            },
+        ],
     },
     Fault {
         cause: "a steep line is plotted with x and y swapped: swap them back when you colour the pixel",
@@ -66,6 +80,18 @@ pub(crate) const FAULTS: &[Fault<Lines>] = &[
         versions: &[
             Lines { line: |a, b, image, color| plot(image, color, cut_off(a, b, false)) },
             Lines { line: |a, b, image, color| plot(image, color, cut_off(a, b, true)) },
+            Lines {
+                line: |a, b, image, color| {
+                    let [a, b] = ordered(a, b);
+                    plot(image, color, steps(a, b, length(a, b)));
+                },
+            },
+            Lines {
+                line: |a, b, image, color| {
+                    let [a, b] = ordered(a, b);
+                    plot(image, color, steps(a, b, -length(a, b)));
+                },
+            },
         ],
     },
     Fault {
@@ -141,6 +167,11 @@ fn plot(image: &mut Image, color: Color, pixels: impl Iterator<Item = IVec2>) {
 
 fn is_steep(a: IVec2, b: IVec2) -> bool {
     (b - a).x.abs() < (b - a).y.abs()
+}
+
+/// Along the longer side.
+fn length(a: IVec2, b: IVec2) -> i64 {
+    i64::from((b - a).abs().max_element())
 }
 
 fn ordered(a: IVec2, b: IVec2) -> [IVec2; 2] {

@@ -88,6 +88,7 @@ proptest! {
             pixels
         };
         let pixels = run(a, b, Bounds::EVERYTHING);
+        prop_assert!(pixels.iter().all(|pixel| pixel.2 > 0));
         let found = thickness(a, b, &pixels);
         prop_assert!(found.largest < 0.1, "{found:?}");
         prop_assert!([a, b].iter().all(|end| pixels.contains(&(end.x, end.y, 255))));
@@ -116,6 +117,19 @@ proptest! {
             // Three pixels in each of up to 41 steps.
             let most = if method.name == "distance" { 123 } else { 101 };
             prop_assert!(count <= most);
+        }
+    }
+}
+
+/// Where the first step that is seen is half-way between two pixels, the lower one is taken, as if all had been walked.
+#[test]
+fn a_window_may_begin_at_a_tie() {
+    for (a, b) in [((0, 0), (2, 1)), ((0, 0), (6, 3)), ((0, 1), (2, 0)), ((0, 0), (10, 5)), ((0, 0), (1, 2))]
+    {
+        let (a, b) = (IVec2::from(a), IVec2::from(b));
+        for n in 0..6 {
+            check_window(a, b, Bounds { min: IVec2::new(n, -1), max: IVec2::new(n + 11, 10) });
+            check_window(a, b, Bounds { min: IVec2::new(-1, n), max: IVec2::new(10, n + 11) });
         }
     }
 }

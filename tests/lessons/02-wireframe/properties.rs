@@ -3,7 +3,7 @@ use std::collections::BTreeSet;
 use common::{Color, Format, Image, Model, Vec3};
 use proptest::prelude::*;
 use verify::window;
-use wireframe::{METHODS, edges, to_pixel};
+use wireframe::{METHODS, edges, to_pixel, wireframe};
 
 fn coordinate() -> impl Strategy<Value = f32> {
     prop_oneof![-1.0f32..=1.0, Just(-1.0), Just(1.0), Just(0.0), -0.001f32..0.001]
@@ -30,6 +30,9 @@ proptest! {
             image
         }).collect();
         prop_assert!(pictures.iter().all(|picture| *picture == pictures[0]));
+        let mut image = Image::new(64, 48, Format::Gray);
+        wireframe(&model, &mut image, Color::WHITE);
+        prop_assert!(image == pictures[0]);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 use checks::coverage::Triangle;
 use common::{Bounds, IVec2, Method, Vec2, Vec3};
+use triangles::edges::Setup;
 use triangles::{LESSON, METHODS, fill, flat_intensity};
 use verify::stability::Must::{Exact, Fails};
 use verify::stability::{Case, Row, counted, every_method};
@@ -315,6 +316,50 @@ fn a_centre_on_a_right_side_is_out_at_the_end_of_the_longest_row() {
     fill(corners, row, |x, _, _| last = Some((x, 0)));
     assert_eq!(last, Some((199_999, 0)));
     assert_eq!(last, Triangle::new(corners).pixels(row).last().copied());
+}
+
+/// Sides 2^51 px high and 1/256 px wide, each beside the centres of a column: there a weight is so small that the rounding
+/// of the sums before it would bring it below 0.
+#[test]
+fn no_weight_of_a_wide_triangle_is_below_0() {
+    for (x, y) in [(18.5, 1.113_281_25), (0.5, 1.496_093_75), (-999.5, 1.496_093_75)] {
+        let corners = corners([x, y, x + 1.0 / 256.0, HALF_WIDE, -4096.0, 0.0]);
+        let start = IVec2::new(if x < 0.0 { -1000 } else { 0 }, 0);
+        let mut last = None;
+        fill(corners, Bounds { min: start, max: start + 23 }, |x, _, weights| {
+            assert!(weights.cmpge(Vec3::ZERO).all(), "{x}: {weights}");
+            last = last.max(Some(x));
+        });
+        assert_eq!(last, Some(x.floor() as i32));
+    }
+}
+
+/// Whatever pixels a method finds, their weights are those of their centres.
+#[test]
+fn weights_are_those_of_the_pixels_centre() {
+    let corners = corners([2.3, 1.7, 20.1, 8.4, 6.6, 19.9]);
+    for method in METHODS {
+        (method.run.visit)(corners, window(24, 24), &mut |x, y, weights| {
+            let exact = Triangle::new(corners).weights(x, y);
+            // What rounding the corners to 1/256 px changes.
+            let close = weights.to_array().iter().zip(exact).all(|(&a, b)| (f64::from(a) - b).abs() < 1e-3);
+            assert!(close, "{}: ({x}, {y}) has {weights}", method.name);
+        });
+    }
+}
+
+/// Beside the window, above it, and between the pixels' centres of one row or column.
+#[test]
+fn a_triangle_whose_box_holds_no_centre_is_no_set_up() {
+    for numbers in [
+        [30.0, 5.0, 40.0, 6.0, 31.0, 19.0],
+        [5.0, 30.0, 19.0, 31.0, 6.0, 40.0],
+        [-9.0, -9.0, 0.25, -2.0, -5.0, 0.25],
+        [2.75, 3.0, 3.25, 9.0, 3.0, 17.0],
+        [3.0, 2.75, 9.0, 3.25, 17.0, 3.0],
+    ] {
+        assert!(Setup::new(corners(numbers), window(24, 24)).is_none(), "{numbers:?}");
+    }
 }
 
 #[test]

@@ -66,6 +66,11 @@ const TABLE: &[Case<Scene>] = &[
         &[("painter, z24, z-f32", Exact), ("z16", Fails("118 wrong"))],
     ),
     (
+        "a level of z16 apart at the far end, the far one first",
+        || vec![triangle(0, -1.0), triangle(1, -1.0 + 2.0 / 65_534.0), triangle(2, 1.0)],
+        &[("painter, z16, z24, z-f32", Exact)],
+    ),
+    (
         "1e-9 apart near the depth 0, the far one first",
         || vec![triangle(0, 0.0), triangle(1, 1e-9), triangle(2, 1.0)],
         &[("painter, z-f32", Exact), ("z16, z24", Fails("22 wrong"))],

@@ -1,9 +1,10 @@
 use assets::sphere::sphere;
 use checks::sphere::intensity;
 use common::{Format, Image, Model, Vec3};
-use gouraud::{LESSON, METHODS, corner_normals, intensities};
+use gouraud::{LESSON, METHODS, Scene, Wrap, corner_normals, gouraud, intensities};
 use verify::stability::Must::{AtMost, Between};
 use verify::stability::{Case, every_method};
+use zbuffer::to_screen;
 
 use crate::{BOTH, draw};
 
@@ -154,6 +155,25 @@ fn brightness_is_clamped_after_interpolation() {
     assert_eq!(intensities([Vec3::Z, Vec3::NEG_Z, Vec3::X], Vec3::Z), Vec3::new(1.0, -1.0, 0.0));
 }
 
+/// A triangle with a corner that has no place in the picture is left out, and counted.
+#[test]
+fn what_has_no_place_is_left_out_and_counted() {
+    let text = b"v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 1 9\nvt 0 0\nvn 0 0 1\n\
+        f 1/1/1 2/1/1 4/1/1\nf 1/1/1 2/1/1 3/1/1\nf 4/1/1 1/1/1 2/1/1\n";
+    let model = Model::parse(text, BOTH).unwrap();
+    let scene = Scene {
+        model: &model,
+        normals: &corner_normals(&model),
+        texture: &Image::new(1, 1, Format::Gray),
+        wrap: Wrap::Clamp,
+        light: Vec3::Z,
+    };
+    let mut picture = Image::new(9, 9, Format::Gray);
+    let size = picture.size();
+    let drawn = gouraud(&scene, &mut picture, |point| (point.z < 1.0).then(|| to_screen(point, size)));
+    assert_eq!((drawn.left_out, drawn.depths.get(4, 4)), (2, 0.0));
+}
+
 /// Input, an OBJ text, and the normal at the first corner of the first triangle.
 #[test]
 fn normals_are_the_files_made_1_long_or_else_computed() {
@@ -194,6 +214,11 @@ fn normals_are_the_files_made_1_long_or_else_computed() {
             "missing, and the areas are smaller than any f32",
             "v 3e-38 0 0\nv 0 3e-38 0\nv 0 0 3e-38\nf 5/1 6/1 7/1\n",
             Vec3::ONE.normalize(),
+        ),
+        (
+            "missing: the mean, of areas smaller than any f32",
+            "v 1e-30 0 0\nv 0 1e-30 0\nv 0 0 2e-30\nf 1/1 5/1 6/1\nf 1/1 6/1 7/1\n",
+            weighted,
         ),
         ("missing, and no area: none", "f 1/1 1/1 2/1\n", Vec3::ZERO),
     ] {

@@ -217,6 +217,10 @@ fn what_nears_the_eye_goes_to_infinity_and_behind_it_is_nothing() {
         let x = place(&m, Vec3::new(1.0, 0.0, z)).map(|p| p.x);
         assert_eq!(x, expected, "{z}");
     }
+    // The limit itself is behind the eye, the next number before it.
+    let at = |w: f32| place(&Mat4::from_diagonal(Vec3::ONE.extend(w)), Vec3::Z);
+    assert_eq!(at(1e-6), None);
+    assert_eq!(at(1e-6f32.next_up()), Some(Vec3::Z / 1e-6f32.next_up()));
 }
 
 /// The slides' question: from infinitely far away the projection is the identity.

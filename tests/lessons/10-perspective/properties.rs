@@ -60,18 +60,18 @@ proptest! {
         }
     }
 
-    /// Whichever corner comes first: the same pixels, the same depths to the last bit, and the same (u, v) to rounding.
+    /// Whichever corner comes first: the same pixels, and depths and (u, v) to rounding.
     #[test]
     fn the_order_of_the_corners_changes_nothing(corners in triangle(), order in Just([0, 1, 2]).prop_shuffle()) {
         let moved = (order.map(|n| corners[n]), order.map(|n| UVS[n]));
-        for name in ["affine", "per-pixel"] {
-            let [here, there] = [visited(name, corners, UVS), visited(name, moved.0, moved.1)];
+        for row in METHODS {
+            let [here, there] = [visited(row.name, corners, UVS), visited(row.name, moved.0, moved.1)];
             prop_assert_eq!(here.len(), there.len());
             for (a, b) in here.iter().zip(&there) {
                 prop_assert_eq!((a.0, a.1), (b.0, b.1));
                 let [z, other] = [a.2, b.2].map(f32::from_bits);
                 prop_assert!((z - other).abs() <= 2f32.powi(-23), "{z} {other}");
-                prop_assert!((a.3 - b.3).abs().max_element() <= 2f32.powi(-22), "{} {}", a.3, b.3);
+                prop_assert!((a.3 - b.3).abs().max_element() <= 2f32.powi(-21), "{} {}", a.3, b.3);
             }
         }
     }

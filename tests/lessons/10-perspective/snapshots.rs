@@ -1,7 +1,7 @@
-use common::Image;
+use common::{Color, Image};
 use perspective::{DEPTHS, LESSON, METHODS};
 use tempfile::tempdir;
-use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_similar, run};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn, assert_similar, draw, run};
 
 /// Without a flag, but smaller.
 #[test]
@@ -53,4 +53,23 @@ fn what_passes_behind_the_eye_is_missing() {
         "left-out",
         &["--size", "200x200", "--eye", "0.9,-0.7,1.9", "--center", "0,-0.5,0", "--fov", "70"],
     );
+}
+
+/// A picture that is wider, or higher, than a square shows more beside the model: the field of view is the vertical one.
+#[test]
+fn no_size_squashes_the_model() {
+    let sphere = |size: &str, fov: &str| {
+        draw("perspective", &["--model", SPHERE, "--texture", CRATE, "--size", size, "--fov", fov])
+    };
+    let square = sphere("300x300", "45");
+    // As high as 480 px, of which 300 are 45 degrees.
+    let fov = format!("{}", 2.0 * (22.5_f64.to_radians().tan() * 1.6).atan().to_degrees());
+    for (size, fov, left, bottom) in [("600x300", "45", 150, 0), ("300x480", fov.as_str(), 0, 90)] {
+        let picture = sphere(size, fov);
+        let inside = |x: i32, y: i32| square.get(x - left, y - bottom);
+        let moved =
+            picture.pixels().filter(|&(x, y, color)| inside(x, y).unwrap_or(Color::BLACK) != color).count();
+        // Other sums are rounded otherwise: a corner may move by 1/256 px.
+        assert!(moved < 90, "{size}: {moved} pixels differ");
+    }
 }

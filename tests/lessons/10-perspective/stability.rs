@@ -9,8 +9,8 @@ use perspective::depth::{Depth, Logarithmic, ReversedZF32, ZF32};
 use perspective::division::{Division, Exact as ByDivision, MAGIC};
 use perspective::interpolation::{Affine, PerPixel};
 use perspective::{
-    DEPTHS, DIVISIONS, Draw, Drawn, FLOOR, FrustumError, LESSON, METHODS, Planes, Visit, draw, draw_triangle,
-    frustum, perspective_weights, render, view,
+    DEPTHS, DIVISIONS, Draw, Drawn, FLOOR, Framebuffer, FrustumError, LESSON, METHODS, Planes, Visit, draw,
+    draw_triangle, frustum, perspective_weights, render, view,
 };
 use shaders::Uniforms;
 use shaders::shader::{Fragment, Shader};
@@ -221,6 +221,23 @@ fn a_corner_at_infinity_is_a_limit() {
     }
 }
 
+/// A pixel whose centre is the corner that is infinitely far: it has that corner's (u, v), although 1/w is 0 there.
+#[test]
+fn at_a_corner_at_infinity_is_that_corner() {
+    // Its sides are a left and a top one, and so its centre is covered.
+    let corners = [(10.5, 100.5, 0.0), (100.5, 100.5, 1.0), (10.5, 10.5, 1.0)];
+    let corners = corners.map(|(x, y, w)| Vec4::new(x, y, 0.5, w));
+    for row in METHODS {
+        let mut seen = None;
+        (row.run.visit)(corners, [Vec2::ONE, Vec2::X, Vec2::Y], window(320, 200), &mut |x, y, _, uv| {
+            if (x, y) == (10, 100) {
+                seen = Some(uv);
+            }
+        });
+        assert_eq!(seen, Some(Vec2::ONE), "{}", row.name);
+    }
+}
+
 /// At every 8th or 16th pixel of a row and at its last one nothing is off, between it is; and so it is where the last
 /// stretch has one pixel, as many as all others, or any number between.
 #[test]
@@ -310,7 +327,7 @@ fn what_reaches_behind_the_eye_is_left_out_whole_and_counted() {
     let planes = Planes { near: 0.1, far: 100.0 };
     let seen = "v -9 0 -2\nv 9 0 -2\nv 0 -9 -2\nf 1/1/1 2/1/1 3/1/1\n";
     every_method(LESSON.name, METHODS, BEHIND, |method, more| {
-        let way = (method.run.draw)(&self::method(DEPTHS, "z-f32"));
+        let way = (method.run.draw)(self::method(DEPTHS, "z-f32"));
         let mut alone = Image::new(40, 40, Format::Rgb);
         drawn(&[plain(seen, Color::RED)], planes, way, &mut alone);
         let mut image = Image::new(40, 40, Format::Rgb);
@@ -318,6 +335,44 @@ fn what_reaches_behind_the_eye_is_left_out_whole_and_counted() {
         assert_eq!(image == alone, drawn.left_out > 0, "what is not left out covers the upper half");
         counted([("left out", drawn.left_out)])
     });
+    let twice = [1, 2].map(|_| plain("v 0 0 -1\nv 1 0 -1\nv 0 0 1\nf 1/1/1 2/1/1 3/1/1\n", Color::RED));
+    assert_eq!(drawn(&twice, planes, by_depth("w"), &mut Image::new(9, 9, Format::Rgb)).left_out, 2);
+}
+
+/// What faces away from the light is black and hides what is behind it: brightness drops nothing.
+#[test]
+fn the_dark_side_is_black_and_not_missing() {
+    let wall = |z: f32, normal: f32| {
+        let text =
+            format!("v -9 -9 {z}\nv 9 -9 {z}\nv 0 9 {z}\nvt 0 0\nvn 0 0 {normal}\nf 1/1/1 2/1/1 3/1/1\n");
+        let (_, texture) = plain("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1/1/1 2/1/1 3/1/1\n", Color::RED);
+        (Model::parse(text.as_bytes(), BOTH).unwrap(), texture)
+    };
+    let planes = Planes { near: 0.1, far: 100.0 };
+    for row in METHODS {
+        for dark_first in [false, true] {
+            let mut walls = [wall(-3.0, 1.0), wall(-2.0, -1.0)];
+            if dark_first {
+                walls.reverse();
+            }
+            let mut image = Image::new(9, 9, Format::Rgb);
+            let drawn = drawn(&walls, planes, (row.run.draw)(method(DEPTHS, "w")), &mut image);
+            assert_eq!((image.get(4, 4), drawn.depths.get(4, 4)), (Some(Color::BLACK), 2.0), "{}", row.name);
+        }
+    }
+}
+
+/// After it is cleared a framebuffer is as good as new.
+#[test]
+fn a_framebuffer_is_cleared() {
+    let [mut image, mut other] = [0, 1].map(|_| Image::new(3, 2, Format::Rgb));
+    let mut target = Framebuffer::new(&mut image, ZF32);
+    assert!(target.test(1, 1, 0.5) && !target.test(1, 1, 1.0));
+    target.write(1, 1, 0.5, Color::RED);
+    assert!(!target.test(1, 1, 0.5) && target.test(1, 1, 0.25));
+    target.clear();
+    let new = Framebuffer::new(&mut other, ZF32);
+    assert!(target.depths == new.depths && target.image == new.image);
 }
 
 /// How many times as far as the near plane the far one is, and how far apart two surfaces at nine tenths of the far
@@ -739,7 +794,7 @@ fn a_floor_reaches_to_the_horizon() {
             if { around }.any(|at| field(at) != expected) {
                 continue;
             }
-            let got = (color != Color::BLACK).then(|| color.r < 0x80);
+            let got = (color != Color::BLACK).then_some(color.r < 0x80);
             missing += u32::from(got.is_none() && expected.is_some());
             other += u32::from(got != expected && got.is_some());
         }

@@ -29,7 +29,8 @@ pub fn to_pixel(point: Vec3, image: &Image) -> IVec2 {
     );
 }
 
-/// Draws the three sides of each triangle of the model.
+/// Draws the three sides of each triangle of the model, also where a corner lies beyond the picture: `line` draws what
+/// is inside.
 pub fn wireframe(model: &Model, image: &mut Image, color: Color) {
     let _ = (model, image, color);
     todo!(

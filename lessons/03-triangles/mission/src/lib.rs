@@ -22,7 +22,8 @@ pub use triangles::to_screen;
 /// Corners are in pixels and come in any order. A pixel is covered when its centre (x + ½, y + ½) is inside.
 /// The weights say how much each corner counts there: each is at least 0, their sum is 1, and a point is the
 /// sum of the corners times their weights. The weight of a corner is the area of the triangle that the point
-/// makes with the other two corners, divided by the whole. A triangle without area covers nothing.
+/// makes with the other two corners, divided by the whole. A triangle without area covers nothing; any other may
+/// cover a centre, however small it is.
 ///
 /// A centre exactly on a side belongs to the triangle if the side is a left one or a level top one, so that of
 /// two neighbours one has it: this last check is the hardest, leave it for the end.

@@ -38,7 +38,7 @@ pub fn interpolate([a, b, c]: [Vec2; 3], weights: Vec3) -> Vec2 {
 }
 
 /// Draws a model whose colour at (u, v) is `color(uv)`, flat-shaded and with a depth test; what faces away from
-/// the light is left out. Returns the depths.
+/// the light, with an intensity below 0, is left out. Returns the depths.
 ///
 /// `model.faces()` has the corners of each triangle, `model.face_uvs()` their (u, v): `zip` them.
 /// `color.shaded(intensity)` is a colour under a light.

@@ -36,7 +36,8 @@ impl Lighting for Gouraud {
         todo!("a dot product; do not clamp it, what is dark counts when it is interpolated");
     }
 
-    /// The brightness at a pixel, from what was interpolated; below 0 the fragment is dropped.
+    /// The brightness at a pixel, from what was interpolated; below 0 the fragment is dropped, and under a light
+    /// longer than 1 it may be more than 1.
     fn intensity(&self, (): (), varying: f32) -> f32 {
         let _ = varying;
         todo!("what was interpolated is the brightness: leave it below 0 where it is");
