@@ -18,7 +18,7 @@ use textures::Wrap;
 use triangles::fill;
 
 use crate::figures::picture::{all_beside, canvas, method, model, painted, texture};
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, ORANGE, PALE, SKY, Sheet};
+use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, ORANGE, PALE, PAPER, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -86,10 +86,21 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "clipping-culled",
-        "A head, and the same in orange: of its far side the inside is seen, with holes where eyes and nostrils are.",
+        "A head, and in orange what of it faces away: the inside of its far side, the backs of the eyes, the inside of the nose and \
+         the mouth.",
         culled,
     ),
     Figure::new("clipping-inside", "The inside of a head: the face from behind, without a gap.", inside),
+    Figure::new(
+        "clipping-divided",
+        "A floor in strips that reaches from before the eye to the horizon, and the same with a sky full of torn strips.",
+        divided,
+    ),
+    Figure::new(
+        "clipping-turned",
+        "A head, and the same head's far side from inside, where the near one should be.",
+        turned,
+    ),
 ];
 
 /// The camera of the lesson's picture.
@@ -125,10 +136,15 @@ pub(crate) fn to_clip(fov: f32, eye: Vec3, center: Vec3) -> anyhow::Result<Mat4>
 }
 
 /// A square picture of subjects, drawn three times as large, so that it is smooth.
-fn picture(subjects: &[Subject], (cull, clipping): (Cull, Clipping), to_clip: Mat4, side: u16) -> Image {
+fn picture(
+    subjects: &[Subject],
+    (cull, clipping): (Cull, Clipping),
+    (light, to_clip): (Vec3, Mat4),
+    side: u16,
+) -> Image {
     let mut image = canvas(3 * side);
     let models: Vec<(Uniforms, &Mesh)> =
-        subjects.iter().map(|(loaded, mesh)| (loaded.uniforms(LIGHT.normalize(), to_clip), mesh)).collect();
+        subjects.iter().map(|(loaded, mesh)| (loaded.uniforms(light.normalize(), to_clip), mesh)).collect();
     draw(&models, cull, clipping, &mut image);
     image.scale(side, side)
 }
@@ -137,7 +153,7 @@ fn head() -> anyhow::Result<Drawing> {
     let subjects = [of_head()?, floor()?];
     all_beside(["leave-out", "guard-band"].map(|name| {
         let way = (Cull::Back, *method(METHODS, name)?);
-        Ok(picture(&subjects, way, to_clip(45.0, EYE, CENTER)?, 450))
+        Ok(picture(&subjects, way, (LIGHT, to_clip(45.0, EYE, CENTER)?), 450))
     }))
 }
 
@@ -147,7 +163,7 @@ fn steps() -> anyhow::Result<Drawing> {
     let steps = [
         (AMBER, "vertices", "in clip space, and numbers", "assembly"),
         (SKY, "triangles", "three vertices each", "culling"),
-        (SKY, "those that face us", "half of them, or less", "clipping"),
+        (SKY, "those that face us", "some half of them", "clipping"),
         (SKY, "polygons", "inside of the frustum", "÷ w, viewport"),
         (SKY, "triangles in pixels", "for the fill of lesson 10", ""),
     ];
@@ -215,7 +231,7 @@ fn of_facing() -> anyhow::Result<Drawing> {
     let corner = |x: f32, y: f32| turn.rotate(Vec2::new(x, y)) * 1.25 + Vec2::new(0.6, 0.9);
     let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
     sheet.polygon(&corners, PALE, GREY);
-    for (side, ink, words) in [([0, 1], GREEN, "n · way > 0"), ([2, 3], ORANGE, "n · way < 0")] {
+    for (side, ink, words) in [([0, 1], GREEN, "faces the eye"), ([2, 3], ORANGE, "faces away")] {
         let [a, b] = side.map(|n: usize| corners[n]);
         let middle = (a + b) / 2.0;
         let normal = -(b - a).perp().normalize();
@@ -225,7 +241,7 @@ fn of_facing() -> anyhow::Result<Drawing> {
         sheet.arrow(middle, middle + 1.5 * normal, ink);
         sheet.arrow(middle, middle + 1.5 * way, BLACK);
         sheet.text(middle + 1.8 * normal, "n", ink);
-        sheet.text_right_of(middle + 1.9 * normal + Vec2::new(0.35, 0.0), words, ink);
+        sheet.text_right_of(middle + 1.8 * normal + Vec2::new(0.3, 0.0), words, ink);
     }
     sheet.dot(eye, BLACK);
     sheet.text_left_of(eye - Vec2::new(0.25, 0.0), "eye", BLACK);
@@ -252,7 +268,7 @@ fn flip() -> anyhow::Result<Drawing> {
     sheet.text(a + at(0.1, -0.28), "a", BLUE);
     sheet.text(b + at(0.0, -0.28), "b", BLUE);
     sheet.text_left_of((-0.12, 0.18), "eye", BLACK);
-    sheet.text_right_of(seen_a + at(0.12, 0.08), "Y = −¼", GREEN);
+    sheet.text_right_of((1.12, -0.68), "Y = −¼", GREEN);
     sheet.text_left_of(seen_b + at(-0.12, 0.1), "Y = ½", GREEN);
     sheet.text_right_of(at(1.15, 1.5), "the image", GREEN);
     sheet.text_right_of(at(1.15, 0.2), "not the image", ORANGE);
@@ -267,7 +283,7 @@ fn planes() -> anyhow::Result<Drawing> {
     sheet.polygon(&[at(0.0, 0.0), at(3.1, 3.1), at(-3.1, 3.1)], SKY, "none");
     sheet.polygon(&[at(0.0, 0.0), at(2.3, -2.3), at(-2.3, -2.3)], PALE, "none");
     sheet.arrow((-4.0, 0.0), (4.1, 0.0), GREY);
-    sheet.arrow((0.0, -2.4), (0.0, 3.3), GREY);
+    sheet.arrow((0.0, -0.7), (0.0, 3.3), GREY);
     sheet.text((4.15, -0.35), "x", GREY);
     sheet.text_left_of((-0.15, 3.2), "w", GREY);
     for (side, ink) in [(1.0, BLUE), (-1.0, ORANGE)] {
@@ -276,9 +292,9 @@ fn planes() -> anyhow::Result<Drawing> {
         let foot = at(2.1 * side, 2.1);
         sheet.arrow(foot, foot + at(-0.55 * side, 0.55), ink);
     }
-    sheet.text_left_of((4.4, 2.2), "right: −x + w ≥ 0", BLUE);
-    sheet.text_right_of((-4.4, 2.2), "left: x + w ≥ 0", ORANGE);
-    sheet.text((0.0, 1.5), "seen", BLACK);
+    sheet.text_left_of((4.4, 1.25), "right: −x + w ≥ 0", BLUE);
+    sheet.text_right_of((-4.4, 1.25), "left: x + w ≥ 0", ORANGE);
+    sheet.text((-0.75, 2.4), "seen", BLACK);
     sheet.text((0.0, -1.6), "behind the eye", GREY);
     sheet.finish()
 }
@@ -319,7 +335,7 @@ fn polygon() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-2.3, -7.6), (8.1, 2.6));
     // All at w = 1, so that clip space is the picture.
     let corner = |x: f32, y: f32| ClipVertex { position: Vec4::new(x, y, 0.0, 1.0), varying: () };
-    let triangle = Polygon::new([corner(-1.9, -0.75), corner(1.0, -1.75), corner(0.95, 2.15)]);
+    let triangle = Polygon::new([corner(-2.0, -0.5), corner(1.6, -1.5), corner(0.5, 2.0)]);
     let [_, _, sides @ ..] = PLANES;
     let mut rest = triangle;
     for (n, (plane, name)) in sides.into_iter().zip(["left", "right", "bottom", "top"]).enumerate() {
@@ -374,10 +390,11 @@ fn flat(
 
 fn cracks() -> anyhow::Result<Drawing> {
     // Triangles that meet far behind the eye.
-    let hub = Vec3::new(531.3, -1.0, 70_000.7);
-    let ring = |n: i32| Vec3::new(n as f32 * 0.9 - 13.0, -1.0, -9.0 - (n % 3) as f32);
-    let triangles: Vec<[Vec3; 3]> = (0..30).map(|n| [hub, ring(n + 1), ring(n)]).collect();
-    let to_clip = perspective(60.0, 1.0, 0.1, 1000.0)?;
+    let hub = Vec3::new(1531.3, -1.0, 3_000_000.7);
+    let ring = |n: i32| Vec3::new(n as f32 * 1.3 - 26.0, -1.0, -30.0);
+    let triangles: Vec<[Vec3; 3]> = (0..40).map(|n| [hub, ring(n + 1), ring(n)]).collect();
+    // The near plane so far away that the cut is seen.
+    let to_clip = perspective(60.0, 1.0, 2.2, 1000.0)? * Mat4::from_rotation_x(0.35);
     all_beside([one_way as Cut, cut].map(|cut| {
         let image = flat(&triangles, to_clip, 220, |corners| cut_by(corners, PLANES[0], cut));
         Ok(image.scale(440, 440))
@@ -406,7 +423,8 @@ fn turned() -> anyhow::Result<Drawing> {
     let head = [of_head()?];
     let to_clip = to_clip(36.0, EYE, Vec3::ZERO)?;
     all_beside(
-        [Cull::Back, Cull::Front].map(|cull| Ok(picture(&head, (cull, Clipping::GuardBand), to_clip, 440))),
+        [Cull::Back, Cull::Front]
+            .map(|cull| Ok(picture(&head, (cull, Clipping::GuardBand), (EYE, to_clip), 440))),
     )
 }
 
@@ -431,7 +449,7 @@ fn band() -> anyhow::Result<Drawing> {
     let at = Vec2::new;
     let mut sheet = Sheet::new((-5.2, -3.4), (6.6, 3.4));
     sheet.rectangle((-5.0, -3.2), (5.0, 3.2), PALE, GREY);
-    sheet.rectangle((-1.2, -0.8), (1.2, 0.8), "#fdfcf9", BLACK);
+    sheet.rectangle((-1.6, -1.05), (1.6, 1.05), PAPER, BLACK);
     let triangles: [([Vec2; 3], Ink, Ink); 4] = [
         ([at(-0.7, -0.5), at(0.2, -0.4), at(-0.3, 0.3)], SKY, BLUE),
         ([at(-0.9, 0.55), at(-2.1, 2.6), at(-3.3, 1.2)], SKY, BLUE),
@@ -442,11 +460,11 @@ fn band() -> anyhow::Result<Drawing> {
         sheet.polygon(&corners, fill, ink);
     }
     sheet.line((5.0, -3.2), (5.0, 3.2), GREY, 1.8);
-    sheet.text((0.55, -0.58), "picture", BLACK);
+    sheet.text((0.75, -0.75), "picture", BLACK);
     sheet.text_right_of((-4.8, -2.85), "guard band", GREY);
-    sheet.text((-2.2, 1.55), "filled as it is", BLACK);
+    sheet.text((-3.35, 0.6), "filled as it is", BLACK);
     sheet.text((3.4, -0.8), "rejected", GREY);
-    sheet.text((3.6, 1.85), "cut", ORANGE);
+    sheet.text((4.15, 1.4), "cut", BLACK);
     sheet.finish()
 }
 
@@ -454,12 +472,12 @@ fn culled() -> anyhow::Result<Drawing> {
     let head = of_head()?;
     let (loaded, _) = &head;
     let to_clip = to_clip(36.0, EYE, Vec3::ZERO)?;
-    let front = picture(std::slice::from_ref(&head), (Cull::Back, Clipping::GuardBand), to_clip, 450);
+    let front = picture(std::slice::from_ref(&head), (Cull::Back, Clipping::GuardBand), (EYE, to_clip), 450);
     let orange = painted(1, 1, |_, _| Color::rgb(0xf0, 0x8a, 0x3c));
     let mut away = subject(loaded.model.clone(), orange, Wrap::Clamp);
     // What faces away shows its other side, and is lit there.
     away.0.normals.iter_mut().flatten().for_each(|normal| *normal = -*normal);
-    let back = picture(&[away], (Cull::Front, Clipping::GuardBand), to_clip, 450);
+    let back = picture(&[away], (Cull::Front, Clipping::GuardBand), (EYE, to_clip), 450);
     all_beside([Ok(front), Ok(back)])
 }
 
@@ -470,7 +488,7 @@ fn inside() -> anyhow::Result<Drawing> {
         view(Vec3::new(0.0, 0.0, -0.35), Vec3::new(0.0, 0.0, 1.0), Vec3::Y).context("it looks somewhere")?;
     let to_clip = perspective(100.0, 1.6, 0.01, 100.0)? * view;
     let mut image = Image::new(1440, 900, Format::Rgb);
-    let light = Vec3::new(0.3, 0.4, -0.9).normalize();
+    let light = Vec3::new(0.0, 0.25, -1.0).normalize();
     draw(&[(head.0.uniforms(light, to_clip), &head.1)], Cull::None, Clipping::GuardBand, &mut image);
     Ok(Drawing::Pixels(image.scale(720, 450), 1))
 }
