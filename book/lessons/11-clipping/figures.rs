@@ -394,7 +394,7 @@ fn cracks() -> anyhow::Result<Drawing> {
     let ring = |n: i32| Vec3::new(n as f32 * 1.3 - 26.0, -1.0, -30.0);
     let triangles: Vec<[Vec3; 3]> = (0..40).map(|n| [hub, ring(n + 1), ring(n)]).collect();
     // The near plane so far away that the cut is seen.
-    let to_clip = perspective(60.0, 1.0, 2.2, 1000.0)? * Mat4::from_rotation_x(0.35);
+    let to_clip = perspective(45.0, 1.0, 1.6, 1000.0)? * Mat4::from_rotation_x(0.3);
     all_beside([one_way as Cut, cut].map(|cut| {
         let image = flat(&triangles, to_clip, 220, |corners| cut_by(corners, PLANES[0], cut));
         Ok(image.scale(440, 440))
@@ -402,17 +402,15 @@ fn cracks() -> anyhow::Result<Drawing> {
 }
 
 fn divided() -> anyhow::Result<Drawing> {
-    let strip = |n: i32| [n, n + 1].map(|n| n as f32 * 2.0 - 12.0);
-    let triangles: Vec<[Vec3; 3]> = (0..12)
-        .map(strip)
-        .flat_map(|[left, right]| {
-            let at = |x: f32, z: f32| Vec3::new(x, -1.0, z);
-            [
-                [at(left, 3.0), at(right, 3.0), at(right, -30.0)],
-                [at(left, 3.0), at(right, -30.0), at(left, -30.0)],
-            ]
-        })
-        .collect();
+    let mut triangles = Vec::new();
+    for [near, far] in [[-4.0, -30.0], [3.0, -4.0]] {
+        for n in 0..12 {
+            let [left, right] = [n, n + 1].map(|n| n as f32 * 2.0 - 12.0);
+            let corners = [(left, near), (right, near), (right, far), (left, far)];
+            let [a, b, c, d] = corners.map(|(x, z)| Vec3::new(x, -1.0, z));
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
     let to_clip = perspective(60.0, 1.0, 0.1, 1000.0)?;
     let right = flat(&triangles, to_clip, 440, |corners| cut_by(corners, PLANES[0], cut));
     let wrong = flat(&triangles, to_clip, 440, |corners| corners.to_vec());
@@ -422,9 +420,11 @@ fn divided() -> anyhow::Result<Drawing> {
 fn turned() -> anyhow::Result<Drawing> {
     let head = [of_head()?];
     let to_clip = to_clip(36.0, EYE, Vec3::ZERO)?;
+    // A light that both sides of the head get some of.
+    let from_the_left = Vec3::new(-0.8, 0.5, 0.3);
     all_beside(
         [Cull::Back, Cull::Front]
-            .map(|cull| Ok(picture(&head, (cull, Clipping::GuardBand), (EYE, to_clip), 440))),
+            .map(|cull| Ok(picture(&head, (cull, Clipping::GuardBand), (from_the_left, to_clip), 440))),
     )
 }
 
