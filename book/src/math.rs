@@ -22,6 +22,8 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
     let html = html.replace("&amp;nbsp;", "&nbsp;");
     // The sign is written as it is, which no page may hold.
     let html = html.replace("<mo><</mo>", "<mo>&lt;</mo>");
+    // The letter, which is set in italics like all others; what comes out is the sign of micrometres.
+    let html = html.replace("<mi>\u{b5}</mi>", "<mi>\u{3bc}</mi>");
     Ok(guarded(&html))
 }
 

@@ -104,6 +104,24 @@ fn the_head_stands_on_a_plane() {
     assert!(base.map(|corners| cross(corners).length() / 2.0).sum::<f32>() > 0.5);
 }
 
+/// The floor faces up, without a gap, and reaches to 128 on each side; the head's base lies on it, a hair above, so that
+/// the two are never equally far.
+#[test]
+fn the_floor_lies_under_the_head() {
+    let floor = read("floor.obj");
+    let level = floor.positions()[0].y;
+    assert!(floor.positions().iter().all(|p| p.y == level));
+    let areas: Vec<f32> = floor.faces().map(|corners| cross(corners).y / 2.0).collect();
+    assert!(areas.iter().all(|&area| area > 0.0));
+    assert_eq!((areas.iter().sum::<f32>(), floor.reach()), (256.0 * 256.0, 128.0));
+    let lowest = read("head.obj").positions().iter().map(|p| p.y).fold(f32::INFINITY, f32::min);
+    assert!((1e-4..1e-3).contains(&(lowest - level)), "{lowest} {level}");
+    // Four texels of the checks to a unit of floor.
+    for (corners, uvs) in floor.faces().zip(floor.face_uvs()) {
+        assert!(corners.iter().zip(uvs).all(|(p, uv)| (uv.x, uv.y) == (p.x, -p.z)));
+    }
+}
+
 #[test]
 fn files_are_small() {
     for (name, limit) in [("head.obj", 600_000), ("head.tga", 3_000_000)] {
@@ -114,7 +132,7 @@ fn files_are_small() {
 
 #[test]
 fn the_textures_are_pictures() {
-    for (name, size) in [("crate.png", (256, 256)), ("head.tga", (1024, 1024))] {
+    for (name, size) in [("crate.png", (256, 256)), ("head.tga", (1024, 1024)), ("checks.png", (2, 2))] {
         let picture = Image::read(&Path::new(FOLDER).join(name)).unwrap();
         assert_eq!((picture.width(), picture.height()), size, "{name}");
     }

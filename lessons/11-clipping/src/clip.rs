@@ -99,3 +99,54 @@ pub fn cut<V: Varying>([a, b]: [ClipVertex<V>; 2], [from, to]: [f64; 2]) -> Clip
     ClipVertex { position: position.as_vec4(), varying }
 }
 // ANCHOR_END: cut
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x ≥ 0.
+    const PLANE: Vec4 = Vec4::X;
+
+    /// A polygon with corners at these x; what is interpolated is x, too.
+    fn at<const N: usize>(x: [f32; N]) -> Polygon<f32> {
+        let corner = |n: usize| ClipVertex { position: Vec4::new(x[n], n as f32, 0.0, 1.0), varying: x[n] };
+        let mut polygon = Polygon { corners: [corner(0); MOST_CORNERS], count: 0 };
+        (0..N).for_each(|n| polygon.push(corner(n)));
+        polygon
+    }
+
+    /// x and y of the corners of what is inside.
+    fn left(polygon: &Polygon<f32>) -> Vec<(f32, f32)> {
+        let inside = clip(polygon, PLANE);
+        assert!(
+            inside.corners().iter().all(|corner| corner.varying == corner.position.x),
+            "cut with the same t"
+        );
+        inside.corners().iter().map(|corner| (corner.position.x, corner.position.y)).collect()
+    }
+
+    /// The notes' four cases: a side inside, leaving, outside, entering.
+    #[test]
+    fn each_side_is_responsible_for_its_first_corner_and_its_cut() {
+        assert_eq!(left(&at([1.0, 2.0, 3.0])), [(1.0, 0.0), (2.0, 1.0), (3.0, 2.0)]);
+        assert_eq!(left(&at([1.0, 3.0, -1.0])), [(1.0, 0.0), (3.0, 1.0), (0.0, 1.75), (0.0, 1.0)]);
+        assert_eq!(left(&at([-1.0, 3.0, -1.0])), [(0.0, 0.25), (3.0, 1.0), (0.0, 1.75)]);
+        assert_eq!(left(&at([-1.0, -2.0, -3.0])), []);
+    }
+
+    /// A corner in the plane is inside: it is not cut off and put back, as two.
+    #[test]
+    fn a_corner_in_the_plane_is_inside() {
+        assert_eq!(left(&at([0.0, 2.0, 3.0])), [(0.0, 0.0), (2.0, 1.0), (3.0, 2.0)]);
+        assert_eq!(left(&at([0.0, 0.0, 3.0])), [(0.0, 0.0), (0.0, 1.0), (3.0, 2.0)]);
+        assert_eq!(left(&at([0.0, 0.0, 0.0])), [(0.0, 0.0), (0.0, 1.0), (0.0, 2.0)]);
+    }
+
+    /// What lies in the plane but for rounding passes it as often as it likes, and is left as it is.
+    #[test]
+    fn what_seems_to_pass_the_plane_four_times_lies_in_it() {
+        let flat = at([1e-7, -1e-7, 1e-7, -1e-7]);
+        assert_eq!(left(&flat).len(), 4);
+        assert_eq!(left(&flat), [(1e-7, 0.0), (-1e-7, 1.0), (1e-7, 2.0), (-1e-7, 3.0)]);
+    }
+}

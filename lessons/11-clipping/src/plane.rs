@@ -79,3 +79,28 @@ pub fn outside(point: Vec4) -> u8 {
 
 /// The bit of the near plane in [`outside`].
 pub const NEAR: u8 = 1 << 2;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A point beyond one plane has that plane's bit alone, in either code; one on all planes is outside of none.
+    #[test]
+    fn each_plane_has_its_own_bit() {
+        let mut seen = 0;
+        for (n, plane) in PLANES.into_iter().enumerate() {
+            // Beyond a plane that asks for −x ≤ w, x is −2 where w is 1.
+            let point = Vec4::new(-2.0 * plane.x, -2.0 * plane.y, -2.0 * plane.z, 1.0);
+            assert_eq!(outcode(&PLANES, point), 1 << n);
+            let bit = outside(point);
+            assert_eq!((bit.count_ones(), seen & bit), (1, 0), "{plane}");
+            assert_eq!(bit == NEAR, n == 0);
+            seen |= bit;
+        }
+        for corner in [Vec4::ONE, Vec4::new(-1.0, -1.0, -1.0, 1.0), Vec4::ZERO] {
+            assert_eq!((outside(corner), outcode(&PLANES, corner)), (0, 0));
+        }
+        // Behind the eye a point is outside of at least one of each pair.
+        assert_eq!(outside(Vec4::new(0.0, 0.0, 0.0, -1.0)).count_ones(), 6);
+    }
+}

@@ -220,3 +220,36 @@ pub fn fan(windows: &[Vec4], mut visit: impl FnMut([usize; 3])) {
     fan.filter(|(_, area)| area * whole > 0.0).for_each(|(triangle, _)| visit(triangle));
 }
 // ANCHOR_END: fan
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fan_of(corners: &[(f32, f32)]) -> Vec<[usize; 3]> {
+        let windows: Vec<Vec4> = corners.iter().map(|&(x, y)| Vec4::new(x, y, 0.5, 1.0)).collect();
+        let mut triangles = Vec::new();
+        fan(&windows, |triangle| triangles.push(triangle));
+        triangles
+    }
+
+    #[test]
+    fn a_fan_begins_at_the_first_corner() {
+        let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
+        assert_eq!(fan_of(&square), [[0, 1, 2], [0, 2, 3]]);
+        // Two corners in one place make a triangle without area.
+        assert_eq!(fan_of(&[square[0], square[1], square[1], square[2]]), [[0, 2, 3]]);
+        assert_eq!(fan_of(&square[..2]), [[0; 3]; 0]);
+    }
+
+    /// The first corner and the last are brought past each other: seen from the first, a long sliver is turned round.
+    #[test]
+    fn no_pixel_is_drawn_twice_where_rounding_turns_a_corner_round() {
+        let corners = [
+            (-0.240_226_75, 5.950_766_6),
+            (0.691_621_8, 13.684_174),
+            (7.293_154_2, 12.665_943),
+            (-0.238_324_17, 5.951_849),
+        ];
+        assert_eq!(fan_of(&corners), [[1, 2, 3]]);
+    }
+}
