@@ -82,10 +82,9 @@ fn errors(effort: Effort) -> Vec<Errors> {
     errors
 }
 
-/// Triangles of about that many pixels, of random shapes that are not too thin.
-fn work(size: usize, effort: Effort) -> Vec<Work> {
-    const SIDE: u16 = 1500;
-    let mut random = effort.random();
+/// Triangles of that many pixels, of random shapes that are not too thin, in a picture of so many pixels a
+/// side.
+pub(crate) fn random_triangles(size: usize, picture: u16, random: &mut Rng) -> Vec<[Vec2; 3]> {
     // A triangle in a square covers between a quarter and a half of it.
     let side = (size as f32 * 2.7).sqrt();
     let mut triangle = || loop {
@@ -94,12 +93,18 @@ fn work(size: usize, effort: Effort) -> Vec<Work> {
         if area > 0.2 {
             // Scaled to the very size.
             let side = side * (size as f32 / (area * side * side)).sqrt();
-            let room = (f32::from(SIDE) - side).max(0.0);
+            let room = (f32::from(picture) - side).max(0.0);
             let corner = Vec2::new(random.f32(), random.f32()) * room;
             return [a, b, c].map(|point| corner + point * side);
         }
     };
-    let triangles: Vec<[Vec2; 3]> = (0..(200_000 / size).max(4)).map(|_| triangle()).collect();
+    (0..(200_000 / size).max(4)).map(|_| triangle()).collect()
+}
+
+/// Each method drawing such triangles.
+fn work(size: usize, effort: Effort) -> Vec<Work> {
+    const SIDE: u16 = 1500;
+    let triangles = random_triangles(size, SIDE, &mut effort.random());
     let draws = |draw: fn([Vec2; 3], &mut Image, Color), amount: usize| {
         let (triangles, mut image) = (triangles.clone(), Image::new(SIDE, SIDE, Format::Rgb));
         Work::new(amount as f64, move || {

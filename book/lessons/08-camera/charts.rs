@@ -1,5 +1,7 @@
 //! Lesson 8: looking at a point.
 
+use std::hint::black_box;
+
 use camera::{Look, METHODS, View};
 use checks::view::{basis, seen};
 use common::{Method, Vec3};
@@ -94,28 +96,41 @@ fn errors(effort: Effort) -> Vec<Errors> {
     errors
 }
 
-/// Views, and so many points through each.
+/// Views, and so many points through each, which are written down.
 fn work(size: usize, effort: Effort) -> Vec<Work> {
     let mut random = effort.random();
     let inputs: Vec<(Vec3, Vec3)> =
         (0..(20_000 / size).max(1)).map(|_| eye_and_center(&mut random, 1.0)).collect();
     let points: Vec<Vec3> = (0..size).map(|_| point(&mut random)).collect();
-    let work = |look: Look, amount: usize| {
-        let (inputs, points) = (inputs.clone(), points.clone());
-        Work::new(amount as f64, move || {
-            let views = inputs.iter().filter_map(|&(eye, center)| look(eye, center, Vec3::Y));
-            views.fold(Vec3::ZERO, |sum, View { origin, matrix }| {
-                let points = points.iter();
-                // Who builds a whole matrix subtracts nothing.
-                if origin == Vec3::ZERO {
-                    points.fold(sum, |sum, point| sum + matrix.transform_point3(*point))
-                } else {
-                    points.fold(sum, |sum, point| sum + matrix.transform_point3(*point - origin))
-                }
-            })
+    let nothing = seeing(0, &inputs, &points, |_, _, points, seen| seen.copy_from_slice(points));
+    let work = |&Method { run: look, .. }: &Method<Look>| {
+        seeing(inputs.len() * size, &inputs, &points, move |eye, center, points, seen| {
+            let Some(View { origin, matrix }) = look(eye, center, Vec3::Y) else { return };
+            let pairs = points.iter().zip(seen);
+            // Who builds a whole matrix subtracts nothing.
+            if origin == Vec3::ZERO {
+                pairs.for_each(|(point, seen)| *seen = matrix.transform_point3(*point));
+            } else {
+                pairs.for_each(|(point, seen)| *seen = matrix.transform_point3(*point - origin));
+            }
         })
     };
-    METHODS.iter().map(|method| work(method.run, inputs.len() * size)).collect()
+    std::iter::once(nothing).chain(METHODS.iter().map(work)).collect()
+}
+
+/// For each eye and centre, all points, and where they are seen.
+fn seeing(
+    amount: usize,
+    inputs: &[(Vec3, Vec3)],
+    points: &[Vec3],
+    see: impl Fn(Vec3, Vec3, &[Vec3], &mut [Vec3]) + 'static,
+) -> Work {
+    let (inputs, points, mut seen) = (inputs.to_vec(), points.to_vec(), points.to_vec());
+    Work::new(amount as f64, move || {
+        for &(eye, center) in &inputs {
+            see(eye, center, &points, black_box(&mut seen));
+        }
+    })
 }
 
 /// Eyes that look along up more and more nearly, from all sides. (With up along an axis of the coordinates the

@@ -98,7 +98,7 @@ pub const METHODS: &[Method<Line>] = &[
             visit: |a, b, window, plot| slides::transposed(a, b, window, plot),
         },
         promise: "no gaps in any direction, about 1 px off",
-        failure: "a wrong pixel if both ends are one; rounds down; over 1 px off beyond 10^5 px, wrong beyond 2^24",
+        failure: "a wrong pixel if both ends are one; rounds down; over 1 px off beyond 10⁵ px, wrong beyond 2²⁴",
     },
     Method {
         name: "slope",
@@ -125,7 +125,7 @@ pub const METHODS: &[Method<Line>] = &[
             visit: |a, b, window, plot| slides::scaled(a, b, window, plot),
         },
         promise: "integers only: exact, at most 1/2 px off",
-        failure: "32 bits overflow on lines of some 2^30 px; walks what cannot be seen",
+        failure: "32 bits overflow on lines of some 2³⁰ px; walks what cannot be seen",
     },
     Method {
         name: "listing",

@@ -78,7 +78,7 @@ pub const METHODS: &[Method<Triangle>] = &[
             visit: |corners, bounds, visit| barycentric(corners, bounds, visit),
         },
         promise: "right but for pixel centres on or within rounding of a side; real corners",
-        failure: "neighbours share centres on their side; holes and doubles far out, nothing beyond 10^19; tests the whole box",
+        failure: "neighbours share centres on their side; holes and doubles far out, nothing beyond 10¹⁹; tests the whole box",
     },
     Method {
         name: "edges",
@@ -87,7 +87,7 @@ pub const METHODS: &[Method<Triangle>] = &[
             visit: |corners, bounds, visit| fill(corners, bounds, visit),
         },
         promise: "exact for corners rounded to 1/256 px: neighbours leave no hole and share no pixel",
-        failure: "corners beyond ±2^16 px take a slower path, triangles with one beyond ±2^52 px are left out",
+        failure: "corners beyond ±2¹⁶ px take a slower path, triangles with one beyond ±2⁵² px are left out",
     },
 ];
 

@@ -81,7 +81,7 @@ pub const METHODS: &[Method<Visibility>] = &[
             depth: Some(|surfaces, image| z_f32(surfaces, &mut image.clone()).picture()),
         },
         promise: "any triangles in any order; needs no near and far; finest near 0",
-        failure: "surfaces closer than f32's rounding, about 1e-7 of their depth",
+        failure: "surfaces closer than f32's rounding, about 10⁻⁷ of their depth",
     },
 ];
 

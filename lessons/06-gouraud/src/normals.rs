@@ -14,9 +14,11 @@ pub fn corner_normals(model: &Model) -> Vec<[Vec3; 3]> {
         normals if normals.len() > 0 => normals.collect(),
         _ => mean_normals(model),
     };
-    let faces = model.faces().map(|corners| area_normal(corners).normalize_or_zero().as_vec3());
-    let unit_or = |(normals, face): ([Vec3; 3], Vec3)| normals.map(|normal| unit(normal).unwrap_or(face));
-    given.into_iter().zip(faces).map(unit_or).collect()
+    let unit_or_own = |(normals, corners): ([Vec3; 3], [Vec3; 3])| {
+        let own = || area_normal(corners).normalize_or_zero().as_vec3();
+        normals.map(|normal| unit(normal).unwrap_or_else(own))
+    };
+    given.into_iter().zip(model.faces()).map(unit_or_own).collect()
 }
 // ANCHOR_END: corner_normals
 

@@ -62,7 +62,7 @@ pub const METHODS: &[Method<Look>] = &[
         name: "lookat",
         run: |eye, center, up| lookat(eye, center, up).map(View::from),
         promise: "right for any centre; any other up where up is along the view",
-        failure: "up within an angle θ of the view costs digits: the basis is off by about 1e-7/θ; and so does a centre far away",
+        failure: "up within an angle θ of the view costs digits: the basis is off by about 10⁻⁷/θ; and so does a centre far away",
     },
     Method {
         name: "relative",

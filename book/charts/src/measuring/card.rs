@@ -51,18 +51,19 @@ pub(crate) const LAYOUTS: [Layout; 2] = [
     },
 ];
 
-/// How many colours tell methods apart; the next ones are dashed.
-const HUES: usize = 6;
+/// How many colours tell methods apart.
+const HUES: usize = 7;
 
-/// Each hue on a light page and on a dark one: after Okabe and Ito (*Color Universal Design*, 2008), darker or
-/// lighter, so that letters in them can be read.
+/// Each hue on a light page and on a dark one: chosen so that letters in them can be read, and that none is like another
+/// one to those who do not see red or green.
 const COLORS: [[&str; 2]; HUES] = [
-    ["#0068ab", "#63b3ec"],
-    ["#bf4e00", "#f59a4c"],
-    ["#00745a", "#45c9a1"],
-    ["#a03d7a", "#e39ac6"],
-    ["#7d6200", "#e2bf45"],
+    ["#225cab", "#82beff"],
+    ["#980f00", "#df621b"],
+    ["#00846e", "#52eeae"],
+    ["#701170", "#fd2ba0"],
+    ["#9a6b01", "#f7bd17"],
     ["#111418", "#ffffff"],
+    ["#8e49fc", "#a967f2"],
 ];
 
 /// The other colours: names, and what they are on a light page and on a dark one.
@@ -277,7 +278,7 @@ impl Card {
 
     /// Draws a mark in a method's colour.
     pub(crate) fn mark(&mut self, [x, y]: [f64; 2], mark: Mark, hue: Option<usize>, opacity: f64) {
-        let (fill, (stroke, _)) = (fill(hue), stroke(hue));
+        let (fill, stroke) = (fill(hue), stroke(hue));
         let circle = |radius: f64| Circle::new().set("cx", tenth(x)).set("cy", tenth(y)).set("r", radius);
         let outlined =
             |circle: Circle| circle.set("class", stroke.as_str()).set("fill", "none").set("stroke-width", 2);
@@ -359,12 +360,12 @@ pub(crate) fn hues(do_it: impl Iterator<Item = bool>) -> Vec<Option<usize>> {
 
 /// The class of what is filled in a method's colour.
 fn fill(hue: Option<usize>) -> String {
-    hue.map_or("soft".into(), |hue| format!("f{}", hue % HUES))
+    hue.map_or("soft".into(), |hue| format!("f{hue}"))
 }
 
-/// The class of a line in a method's colour, and its dashes where colours begin again.
-pub(crate) fn stroke(hue: Option<usize>) -> (String, Option<&'static str>) {
-    hue.map_or(("rule".into(), None), |hue| (format!("s{}", hue % HUES), (hue >= HUES).then_some("6 3")))
+/// The class of a line in a method's colour.
+pub(crate) fn stroke(hue: Option<usize>) -> String {
+    hue.map_or("rule".into(), |hue| format!("s{hue}"))
 }
 
 /// To a tenth of a px, so that files stay small.
@@ -395,6 +396,7 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::{DMat3, DVec3};
 
     #[test]
     fn powers_are_plain_where_that_is_short() {
@@ -405,7 +407,73 @@ mod tests {
     #[test]
     fn what_does_another_job_has_no_colour() {
         assert_eq!(hues([false, true, false, true].into_iter()), [None, Some(0), None, Some(1)]);
-        assert_eq!((fill(None), stroke(Some(HUES)).1), ("soft".into(), Some("6 3")));
+        assert_eq!((fill(None), stroke(None)), ("soft".into(), "rule".into()));
+    }
+
+    /// Light of the three primaries, from 0 to 1.
+    fn linear(color: &str) -> DVec3 {
+        let channel = |at: usize| f64::from(u8::from_str_radix(&color[at..at + 2], 16).unwrap()) / 255.0;
+        let light = |v: f64| if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+        DVec3::new(light(channel(1)), light(channel(3)), light(channel(5)))
+    }
+
+    /// A colour's place in Oklab, where distances are those that are seen (B. Ottosson, *A perceptual color space for
+    /// image processing*, 2020).
+    fn oklab(light: DVec3) -> DVec3 {
+        let cones = DMat3::from_cols_array(&[
+            0.4122214708,
+            0.5363325363,
+            0.0514459929,
+            0.2119034982,
+            0.6806995451,
+            0.1073969566,
+            0.0883024619,
+            0.2817188376,
+            0.6299787005,
+        ]);
+        let lab = DMat3::from_cols_array(&[
+            0.2104542553,
+            0.793617785,
+            -0.0040720468,
+            1.9779984951,
+            -2.428592205,
+            0.4505937099,
+            0.0259040371,
+            0.7827717662,
+            -0.808675766,
+        ]);
+        lab.transpose() * (cones.transpose() * light).map(f64::cbrt)
+    }
+
+    /// What those see who see all colours, who lack the cones for long waves, and who lack those for middle ones (G.
+    /// Machado and others, *A physiologically-based model for simulation of color vision deficiency*, 2009, table 1).
+    const VISIONS: [[f64; 9]; 3] = [
+        [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
+        [0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998],
+        [0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.01182, 0.04294, 0.968881],
+    ];
+
+    #[test]
+    fn no_two_colours_look_alike_to_anyone_and_all_can_be_read() {
+        let luminance = |color: &str| linear(color).dot(DVec3::new(0.2126, 0.7152, 0.0722)) + 0.05;
+        for theme in [0, 1] {
+            let card = luminance(GROUNDS[0].2[theme]);
+            for (n, a) in COLORS.iter().map(|colors| colors[theme]).enumerate() {
+                // What the W3C's guidelines for accessible content ask of text (WCAG 2.2, 1.4.3).
+                let contrast = luminance(a) / card;
+                assert!(contrast.max(1.0 / contrast) >= 4.5, "{a}: {contrast}");
+                for b in COLORS[..n].iter().map(|colors| colors[theme]) {
+                    for vision in &VISIONS {
+                        let seen = |color| {
+                            let light = DMat3::from_cols_array(vision).transpose() * linear(color);
+                            oklab(light.clamp(DVec3::ZERO, DVec3::ONE))
+                        };
+                        let apart = (seen(a) - seen(b)).length();
+                        assert!(apart > 0.1, "{a} and {b}: {apart}");
+                    }
+                }
+            }
+        }
     }
 
     #[test]

@@ -84,6 +84,8 @@ pub(crate) struct Speed<'a> {
 /// A method in a chart of speed against accuracy.
 pub(crate) struct Dot {
     pub(crate) name: String,
+    /// Its colour; none for what does another job.
+    pub(crate) hue: Option<usize>,
     pub(crate) worst: f64,
     pub(crate) mean: f64,
     /// The throughput of the slowest build, of the one in the middle, of the fastest.
@@ -128,7 +130,6 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
     card.path(&steps, "rule", 1.2, None);
     obstacles.extend(steps.windows(2).map(|ends| Rect::around([ends[0], ends[1]], 2.0)));
 
-    let hues = hues(of.dots.iter().map(|dot| dot.does_it));
     let names: Vec<String> =
         of.dots.iter().map(|dot| format!("{}{}", dot.name, if dot.close { " ≈" } else { "" })).collect();
     let mut anchors = Vec::new();
@@ -136,7 +137,7 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
         let [worst, mean] = errors[n].map(|error| at(&card, error, rates[n][1]));
         let [low, high] = [0, 2].map(|end| at(&card, errors[n][0], rates[n][end]));
         let opacity = if dot.frontier || dot.close { 1.0 } else { 0.6 };
-        let (class, _) = stroke(hues[n]);
+        let class = stroke(dot.hue);
         if low[1] - high[1] > 12.0 {
             let cap = |[x, y]: [f64; 2]| [[x - 4.0, y], [x + 4.0, y]];
             card.line([low, high], &class, 1.5, None);
@@ -145,7 +146,7 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
         }
         if mean != worst {
             card.line([worst, mean], &class, 0.8, None);
-            card.mark(mean, Mark::Ring, hues[n], opacity);
+            card.mark(mean, Mark::Ring, dot.hue, opacity);
             obstacles.push(Rect::around([worst, mean], 1.0));
             obstacles.push(Rect::about(mean, 11.0, 11.0));
         }
@@ -154,14 +155,14 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
             0 => Mark::Square,
             _ => Mark::Disc,
         };
-        card.mark(worst, mark, hues[n], opacity);
+        card.mark(worst, mark, dot.hue, opacity);
         obstacles.push(Rect::about(worst, 13.0, 13.0));
         anchors.push((worst, card.label_size(&names[n])));
     }
     for (n, label) in place(&anchors, &obstacles, card.plot).into_iter().enumerate() {
         let dot = &of.dots[n];
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, dot.name))?;
-        card.label(&names[n], &label, hues[n], dot.frontier);
+        card.label(&names[n], &label, dot.hue, dot.frontier);
     }
     Ok(card.finish())
 }
@@ -282,10 +283,10 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
     for (n, line) in of.lines.iter().enumerate() {
         let path: Vec<[f64; 2]> =
             line.points.iter().map(|point| card.at([x_scale.at(point.0), y_scale.at(point.1)])).collect();
-        let (class, dashes) = stroke(line.hue);
+        let class = stroke(line.hue);
         // The first ones are the thickest, so that lines on top of each other are all seen.
         let width = 1.8 + 0.6 * (of.lines.len() - 1 - n).min(5) as f64;
-        card.path(&path, &class, width, dashes);
+        card.path(&path, &class, width, None);
         path.iter().for_each(|point| card.mark(*point, Mark::Dot, line.hue, 1.0));
         if let Some(ringed) = line.ringed {
             card.mark(path[ringed], Mark::Halo, line.hue, 1.0);

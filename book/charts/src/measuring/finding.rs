@@ -1,5 +1,6 @@
 //! What a chart shows, in one sentence: its title, from its figures as printed.
 
+use super::digits::readable;
 use super::draw::Line;
 use super::frontier::is_faster;
 use super::table::{Chart, Point, Row, number};
@@ -14,21 +15,27 @@ pub(crate) fn table(chart: &Chart, rows: &[Row]) -> String {
     let good: Vec<&Row> = does_it.iter().copied().filter(|row| row.frontier && error(row) <= limit).collect();
     let faster = |a: &Row, b: &Row| is_faster(&a.figure(), &b.figure());
     let Some(quickest) = fastest(&does_it) else { return "No method does the job".into() };
-    let off = |row: &Row| format!("{} {}", row.error_max, chart.error.unit);
+    let off = |row: &Row| format!("{} {}", readable(error(row)), chart.error.unit);
     let Some(pick) = fastest(&good) else {
-        let nearest = does_it.iter().min_by(|a, b| error(a).total_cmp(&error(b)));
+        let mean = |row: &Row| number(&row.error_mean);
+        let nearest = does_it.iter().min_by(|a, b| mean(a).total_cmp(&mean(b)));
         return nearest.map_or(String::new(), |row| {
-            format!("No method stays {within}: {} comes nearest, with {}", row.method, off(row))
+            format!(
+                "No method stays {within}: {} comes nearest, {} off in the mean and {} at worst",
+                row.method,
+                readable(mean(row)),
+                off(row)
+            )
         });
     };
     // Those on the frontier that are as fast share the place.
     let ties = good.iter().filter(|row| !faster(&pick, row));
     let names: Vec<&str> = ties.map(|row| row.method.as_str()).collect();
-    let (verb, are) = if names.len() == 1 { ("is", "is") } else { ("are", "are as fast and") };
+    let (verb, are) = if names.len() == 1 { ("is", "is") } else { ("are", "are equally fast and") };
     let names = listed(&names);
     let how = if pick.is_exact(chart) { format!("{are} exact") } else { format!("{are} {within}") };
     if !faster(&quickest, &pick) {
-        let nothing = if rows.len() == good.len() { "" } else { ", and nothing is faster" };
+        let nothing = if rows.len() == good.len() { "" } else { ", and nothing is clearly faster" };
         return format!("{names} {how}{nothing}");
     }
     let times = times(speed(&quickest) / speed(&pick));
@@ -46,14 +53,14 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
     let never: Vec<&str> =
         lines.iter().filter(|line| line.ringed.is_none()).map(|line| line.name.as_str()).collect();
     let failing = lines.iter().filter_map(|line| Some((line.ringed?, *line)));
-    let at = |at: usize, line: &Line| super::digits::readable(line.points[at].0);
+    let at = |at: usize, line: &Line| readable(line.points[at].0);
     let first = failing.clone().min_by_key(|(at, _)| *at);
     let last = failing.max_by_key(|(at, _)| *at);
     let (Some((n, first)), Some((m, last))) = (first, last) else {
         return format!("None fails, whatever the {stress}");
     };
     let fail = if first.name.contains(',') { "fail" } else { "fails" };
-    let (who, begin) = (&first.name, at(n, first));
+    let (who, begin) = (named(&first.name), at(n, first));
     match never[..] {
         [] if n == m => format!("{who} {fail} from {begin} on"),
         [] => format!("{who} {fail} first, at {begin}; {} last, at {}", last.name, at(m, last)),
@@ -71,10 +78,15 @@ pub(crate) fn stability(lines: &[Line], stress: &str) -> String {
     }
 }
 
-/// Of the cost at each size: which method is the fastest, and where that changes. One that is hardly slower stays the
-/// fastest: each is chosen to stay so over as many sizes as may be, the last one of the table where they are equal.
+/// A method's name in a sentence: in quotes where it would be read as one of the sentence's own words.
+fn named(name: &str) -> String {
+    if name == "none" { format!("“{name}”") } else { name.into() }
+}
+
+/// Of the cost at each size: which method is the fastest, and where that changes. One within a tenth is a tie with it: each
+/// is chosen to stay so over as many sizes as may be, the last one of the table where they are equal.
 pub(crate) fn growth(chart: &Chart, points: &[Point]) -> String {
-    const HARDLY: f64 = 1.25;
+    const TIE: f64 = 1.1;
     let sizes = sizes(points);
     let methods: Vec<&str> =
         (chart.methods)().into_iter().filter(|name| !chart.wrong.contains(name)).collect();
@@ -82,9 +94,8 @@ pub(crate) fn growth(chart: &Chart, points: &[Point]) -> String {
         let point = points.iter().find(|point| point.method == method && point.at == size);
         point.map_or(f64::INFINITY, |point| number(&point.value))
     };
-    let is_fastest = |method: &str, size: &str| {
-        methods.iter().all(|other| cost(method, size) <= HARDLY * cost(other, size))
-    };
+    let is_fastest =
+        |method: &str, size: &str| methods.iter().all(|other| cost(method, size) <= TIE * cost(other, size));
     let mut parts: Vec<(&str, &str, &str)> = Vec::new();
     let mut at = 0;
     while at < sizes.len() {
@@ -96,11 +107,11 @@ pub(crate) fn growth(chart: &Chart, points: &[Point]) -> String {
     }
     let what = chart.sizes.name;
     if let [(method, ..)] = parts[..] {
-        return format!("None is faster than {method} at any number of {what}");
+        return format!("{method} is the fastest or nearly so at any number of {what}");
     }
     let parts = parts.iter().enumerate().map(|(n, (method, from, to))| match n {
-        0 if from == to => format!("{method} is the fastest at {}", counted(to, what)),
-        0 => format!("{method} is the fastest up to {to} {what}"),
+        0 if from == to => format!("{method} is the fastest or nearly so at {}", counted(to, what)),
+        0 => format!("{method} is the fastest or nearly so up to {to} {what}"),
         _ => format!("{method} from {from}"),
     });
     parts.collect::<Vec<_>>().join(", ")
@@ -167,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_hardly_slower_stays_the_fastest() {
+    fn a_tie_stays_the_fastest() {
         let chart =
             crate::lessons::all_charts().into_iter().find(|chart| chart.name == "03-triangles").unwrap();
         let of = |method: &str, costs: [f64; 3]| -> Vec<Point> {
@@ -180,9 +191,12 @@ mod tests {
         };
         let points =
             [of("sweep", [1.0, 2.0, 9.0]), of("edges", [3.0, 1.9, 1.0]), of("outline", [0.1, 0.1, 0.1])];
-        let expected = "sweep is the fastest up to 10 pixels a triangle, edges from 100";
+        let expected = "sweep is the fastest or nearly so up to 10 pixels a triangle, edges from 100";
         assert_eq!(growth(chart, &points.concat()), expected);
-        let points = [of("sweep", [1.0, 2.0, 9.0]), of("edges", [1.2, 1.9, 1.0])].concat();
-        assert_eq!(growth(chart, &points), "None is faster than edges at any number of pixels a triangle");
+        let points = [of("sweep", [1.0, 2.0, 9.0]), of("edges", [1.05, 1.9, 1.0])].concat();
+        assert_eq!(
+            growth(chart, &points),
+            "edges is the fastest or nearly so at any number of pixels a triangle"
+        );
     }
 }

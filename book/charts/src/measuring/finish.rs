@@ -21,7 +21,8 @@ use super::frontier::{Figure, close, frontier};
 use super::measure::Work;
 use super::models::scene_model;
 use super::scene::{EYE, Subject, channels, draw, exact};
-use super::table::{Quantity, number};
+use super::speed::spread;
+use super::table::{Quantity, number, numbers, spaced};
 use super::{Comparison, Pictures, Run, caption};
 
 pub(crate) const COMPARISON: Comparison = Comparison { name: "finish", works, measure, draw: pictures };
@@ -51,9 +52,8 @@ struct Row {
     flip: String,
     flip_object: String,
     ms_median: String,
-    /// In the fastest build and in the slowest.
-    ms_low: String,
-    ms_high: String,
+    /// In each build.
+    ms_builds: String,
     frontier_rms: bool,
     frontier_flip: bool,
 }
@@ -164,9 +164,8 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
             rms_object: three_digits(rms(&image, &expected, |n| object[n])),
             flip: three_digits(mean(&|_| true)),
             flip_object: three_digits(mean(&|n| object[n])),
-            ms_median: ms(found.median),
-            ms_low: ms(found.high),
-            ms_high: ms(found.low),
+            ms_median: ms(found.median()),
+            ms_builds: spaced(found.builds.iter().map(|rate| ms(*rate))),
             frontier_rms: false,
             frontier_flip: false,
         });
@@ -191,12 +190,12 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
 
 /// What decides about each choice, by this error.
 fn figures(rows: &[Row], error: fn(&Row) -> f64) -> Vec<Figure> {
-    rows.iter().map(|row| Figure { error: error(row), speed: rates(row), does_it: true }).collect()
+    rows.iter().map(|row| Figure { error: error(row), builds: rates(row), does_it: true }).collect()
 }
 
-/// Pictures a second: in the slowest build, the one in the middle, the fastest.
-fn rates(row: &Row) -> [f64; 3] {
-    [&row.ms_high, &row.ms_median, &row.ms_low].map(|text| 1000.0 / number(text))
+/// Pictures a second, in each build.
+fn rates(row: &Row) -> Vec<f64> {
+    numbers(&row.ms_builds).into_iter().map(|ms| 1000.0 / ms).collect()
 }
 
 /// The charts, from the figures in a folder.
@@ -226,9 +225,10 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         let close = close(&figures(&rows, get));
         let dot = |(row, close): (&Row, &bool)| Dot {
             name: row.choice.clone(),
+            hue: hue(row),
             worst: get(row),
             mean: get(row),
-            speed: rates(row),
+            speed: spread(&rates(row)),
             frontier: best(row),
             close: *close,
             does_it: true,
@@ -248,6 +248,12 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         }
     }
     Ok(pictures)
+}
+
+/// A colour for each shader, and one for what is called in another way.
+fn hue(row: &Row) -> Option<usize> {
+    let shader = SHADERS.iter().position(|shader| shader.name == row.shader);
+    if row.method == METHODS.last()?.name { shader } else { Some(SHADERS.len()) }
 }
 
 /// What the next better picture costs, from the cheapest one on the frontier to the best.

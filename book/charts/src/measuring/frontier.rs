@@ -1,21 +1,28 @@
 //! Which methods nothing beats.
+//!
+//! Two methods are compared in the same builds, where they were timed in the same bursts: what slows a burst, or a build
+//! as a whole, slows both.
+
+use super::speed::median;
 
 /// What decides about a method.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Figure {
     /// Its error; infinite if it fails.
     pub(crate) error: f64,
-    /// Its throughput in the slowest build, the one in the middle, the fastest.
-    pub(crate) speed: [f64; 3],
+    /// Its throughput in each build.
+    pub(crate) builds: Vec<f64>,
     /// Whether it does the job at all.
     pub(crate) does_it: bool,
 }
 
-/// By how much one method leads another: above 1 it counts as faster. It does where its slowest build is faster than the
-/// other's fastest, and the one in the middle by at least a tenth. Less than that is a tie.
+/// By how much one method leads another: above 1 it counts as faster. It does where it is in every build, and in the one
+/// in the middle by at least a tenth. Less than that is a tie.
 fn lead(a: &Figure, b: &Figure) -> f64 {
     const LEAST: f64 = 1.1;
-    (a.speed[0] / b.speed[2]).min(a.speed[1] / b.speed[1] / LEAST)
+    let mut ratios: Vec<f64> = a.builds.iter().zip(&b.builds).map(|(a, b)| a / b).collect();
+    let middle = median(&mut ratios);
+    ratios[0].min(middle / LEAST)
 }
 
 /// Whether a method counts as faster than another.
@@ -41,6 +48,15 @@ pub(crate) fn close(figures: &[Figure]) -> Vec<bool> {
         .collect()
 }
 
+/// For each method whether another measurement contradicts what one found: both are sure, of opposite things.
+pub(crate) fn contradicted(one: &[Figure], another: &[Figure]) -> Vec<bool> {
+    let sure = |figures: &[Figure]| -> Vec<Option<bool>> {
+        frontier(figures).into_iter().zip(close(figures)).map(|(is, close)| (!close).then_some(is)).collect()
+    };
+    let both = sure(one).into_iter().zip(sure(another));
+    both.map(|(one, another)| one.zip(another).is_some_and(|(one, another)| one != another)).collect()
+}
+
 /// The frontier where a lead above `least` counts as faster.
 fn frontier_from(least: f64, figures: &[Figure]) -> Vec<bool> {
     let stands = |figure: &Figure| figure.does_it && figure.error.is_finite();
@@ -56,7 +72,7 @@ mod tests {
     use super::*;
 
     fn figure(error: f64, speed: f64) -> Figure {
-        Figure { error, speed: [0.98 * speed, speed, 1.02 * speed], does_it: true }
+        Figure { error, builds: vec![speed, 0.98 * speed, 1.02 * speed], does_it: true }
     }
 
     #[test]
@@ -72,10 +88,16 @@ mod tests {
         assert_eq!(frontier(&[figure(1.0, 5.2), figure(0.5, 5.0)]), [false, true]);
         assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0)]), [true, true]);
         // What is faster in the middle, but not in each build, is no faster.
-        let wide = Figure { speed: [4.0, 6.0, 6.1], ..figure(1.0, 6.0) };
+        let wide = Figure { builds: vec![4.0, 6.0, 6.1], ..figure(1.0, 6.0) };
         assert_eq!(frontier(&[wide, figure(0.5, 5.0)]), [false, true]);
+        // What slows a whole build slows both.
+        let [a, b] = [(1.0, 6.0), (0.5, 5.0)].map(|(error, speed)| Figure {
+            builds: vec![speed, 0.5 * speed, 0.9 * speed],
+            ..figure(error, speed)
+        });
+        assert_eq!(frontier(&[a, b]), [true, true]);
         // Whose builds differ decides nothing between others.
-        let slow = Figure { speed: [1.0, 1.2, 1.9], ..figure(9.0, 1.2) };
+        let slow = Figure { builds: vec![1.0, 1.9, 1.2], ..figure(9.0, 1.2) };
         assert_eq!(frontier(&[figure(1.0, 6.0), figure(0.5, 5.0), slow]), [true, true, false]);
     }
 
@@ -85,6 +107,15 @@ mod tests {
         assert_eq!([4.9, 5.4, 5.9, 6.2].map(|speed| close(speed)[1]), [false, true, true, false]);
         // The faster of equals stands either way.
         assert!(!close(5.6)[0]);
+    }
+
+    #[test]
+    fn only_what_both_are_sure_of_is_contradicted() {
+        let of = |speed: f64| [figure(1.0, speed), figure(1.0, 5.0)];
+        let second = |one: f64, another: f64| contradicted(&of(one), &of(another))[1];
+        // Beaten at 6.2, standing at 4.9, and unsure of it between.
+        assert!(second(6.2, 4.9) && second(4.9, 6.2));
+        assert!(!second(6.2, 5.9) && !second(5.4, 6.2) && !second(6.2, 7.0));
     }
 
     #[test]

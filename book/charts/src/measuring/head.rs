@@ -73,7 +73,7 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
             triangles: model.faces().len(),
             outline_mean: three_digits(outline(&coverage(&seen, SIDE), &whole)),
             shading_mean: three_digits(shading(&draw(render(shader), &seen, SIDE), &right)),
-            ms_median: three_digits(1000.0 / speed.median),
+            ms_median: three_digits(1000.0 / speed.median()),
         })?;
     }
     write_whole(&run.folder.join("needs-head.csv"), &writer.into_inner()?)?;

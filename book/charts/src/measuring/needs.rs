@@ -172,7 +172,7 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
                 outline_mean,
                 shading_max,
                 shading_mean,
-                ms_median: three_digits(1000.0 / speed.median),
+                ms_median: three_digits(1000.0 / speed.median()),
                 rule: is_first(segments_needed(f64::from(side) * f64::from(ZOOM), 0.5)),
                 shading_rule: shader == SHADED[1] && is_first(segments_for_shading(0.5)),
             });
@@ -191,6 +191,7 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
     let (table, markdown) = carried()?;
     write_whole(&run.folder.join("needs-shaders.csv"), &table)?;
     write_whole(&run.folder.join("needs-shaders.md"), markdown.as_bytes())?;
+    write_whole(&run.folder.join("needs-loop.csv"), &super::counts::table()?)?;
     Ok(())
 }
 

@@ -37,12 +37,10 @@ impl Bursts {
 }
 
 /// A throughput, in units of work a second.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Speed {
-    /// The slowest build, the one in the middle, the fastest.
-    pub(crate) low: f64,
-    pub(crate) median: f64,
-    pub(crate) high: f64,
+    /// In each build.
+    pub(crate) builds: Vec<f64>,
     /// The one in the middle of those for newer processors, if there are any.
     pub(crate) newer: Option<f64>,
     /// How many times each build was timed.
@@ -53,23 +51,27 @@ impl Speed {
     /// Of each piece of work, from the seconds a unit that each build took, and each for newer processors.
     pub(crate) fn all(builds: &[Vec<f64>], newer: &[Vec<f64>], bursts: usize) -> Vec<Self> {
         let rates = |builds: &[Vec<f64>], n: usize| -> Vec<f64> {
-            let mut rates: Vec<f64> = builds.iter().map(|build| 1.0 / build[n]).collect();
-            rates.sort_unstable_by(f64::total_cmp);
-            rates
+            builds.iter().map(|build| 1.0 / build[n]).collect()
         };
-        let speed = |n: usize| {
-            let mut any = rates(builds, n);
-            let newer = Some(rates(newer, n)).filter(|rates| !rates.is_empty());
-            Self {
-                low: any[0],
-                high: any[any.len() - 1],
-                median: median(&mut any),
-                newer: newer.map(|mut rates| median(&mut rates)),
-                bursts,
-            }
+        let speed = |n: usize| Self {
+            builds: rates(builds, n),
+            newer: Some(median(&mut rates(newer, n))).filter(|rate| !rate.is_nan()),
+            bursts,
         };
         (0..builds.first().map_or(0, Vec::len)).map(speed).collect()
     }
+
+    /// In the build in the middle.
+    pub(crate) fn median(&self) -> f64 {
+        median(&mut self.builds.clone())
+    }
+}
+
+/// Of a figure in each build: the lowest, the one in the middle, the highest.
+pub(crate) fn spread(builds: &[f64]) -> [f64; 3] {
+    let mut builds = builds.to_vec();
+    let middle = median(&mut builds);
+    [builds[0], middle, builds[builds.len() - 1]]
 }
 
 /// The median; it sorts them. NaN of none.
@@ -104,7 +106,9 @@ mod tests {
     #[test]
     fn the_spread_is_that_of_the_builds() {
         let speeds = Speed::all(&[vec![0.5], vec![0.25], vec![1.0]], &[vec![0.1]], 7);
-        assert_eq!(speeds, [Speed { low: 1.0, median: 2.0, high: 4.0, newer: Some(10.0), bursts: 7 }]);
+        assert_eq!(speeds, [Speed { builds: vec![2.0, 4.0, 1.0], newer: Some(10.0), bursts: 7 }]);
+        assert_eq!(speeds[0].median(), 2.0);
+        assert_eq!(spread(&speeds[0].builds), [1.0, 2.0, 4.0]);
         assert_eq!(Speed::all(&[vec![1.0]], &[], 1)[0].newer, None);
     }
 }

@@ -61,7 +61,7 @@ pub(crate) fn pages(charts: &[&Chart], folder: &Path) -> anyhow::Result<[(&'stat
     page.push_str(
         "\nTime is for the same work, with that of the fastest method that does the job as the unit: in builds for any \
          processor and in builds for x86-64-v3. In bold: the methods that no other one beats. One is faster \
-         if its slowest build is faster than the other's fastest, and its middle one by at least a tenth; less is a tie. ≈ is \
+         if it is in every build, and by at least a tenth in the middle one; less is a tie. ≈ is \
          a close call, which a tenth would decide otherwise. A worst error is the largest one of a sample, so a lower bound; \
          *exact* is what is proved, *none found* what a sample showed.\n",
     );

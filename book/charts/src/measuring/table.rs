@@ -90,10 +90,10 @@ pub(crate) struct Row {
     pub(crate) method: String,
     pub(crate) error_max: String,
     pub(crate) error_mean: String,
+    /// The one in the middle of those that builds gave.
     pub(crate) throughput_median: String,
-    /// The slowest build's and the fastest one's.
-    pub(crate) throughput_low: String,
-    pub(crate) throughput_high: String,
+    /// In each build.
+    pub(crate) throughput_builds: String,
     pub(crate) unit: String,
     /// Whether it does the job that the table states.
     pub(crate) does_the_job: bool,
@@ -115,23 +115,21 @@ impl Row {
 
     /// What decides about it.
     pub(crate) fn figure(&self) -> Figure {
-        let speed = [&self.throughput_low, &self.throughput_median, &self.throughput_high];
         Figure {
             error: number(&self.error_max),
-            speed: speed.map(|text| number(text)),
+            builds: numbers(&self.throughput_builds),
             does_it: self.does_the_job,
         }
     }
 }
 
 /// The columns that every table has.
-const COLUMNS: [&str; 13] = [
+const COLUMNS: [&str; 12] = [
     "method",
     "error_max",
     "error_mean",
     "throughput_median",
-    "throughput_low",
-    "throughput_high",
+    "throughput_builds",
     "unit",
     "does_the_job",
     "frontier",
@@ -158,18 +156,17 @@ pub(crate) fn rows(chart: &Chart, errors: &[Errors], speeds: &[Speed]) -> Vec<Ro
             speeds.iter().enumerate().filter(|(n, _)| does_it(*n) && errors[*n].largest().is_finite());
         rates.map(|(_, speed)| rate(speed)).fold(0.0, f64::max)
     };
-    let [any, newer] = [fastest(|speed| speed.median), fastest(|speed| speed.newer.unwrap_or(0.0))];
+    let [any, newer] = [fastest(Speed::median), fastest(|speed| speed.newer.unwrap_or(0.0))];
     let row = |(n, (errors, speed)): (usize, (&Errors, &Speed))| Row {
         method: methods[n].into(),
         error_max: three_digits(errors.largest()),
         error_mean: known_digits(errors.mean(), errors.standard_error()),
-        throughput_median: three_digits(speed.median / 1e6),
-        throughput_low: three_digits(speed.low / 1e6),
-        throughput_high: three_digits(speed.high / 1e6),
+        throughput_median: three_digits(speed.median() / 1e6),
+        throughput_builds: spaced(speed.builds.iter().map(|rate| three_digits(rate / 1e6))),
         unit: chart.throughput.into(),
         does_the_job: does_it(n),
         frontier: false,
-        relative_time: ratio(any / speed.median),
+        relative_time: ratio(any / speed.median()),
         relative_time_v3: speed.newer.map_or(String::new(), |rate| ratio(newer / rate)),
         samples: errors.samples(),
         bursts: speed.bursts,
@@ -191,6 +188,19 @@ pub(crate) fn number(text: &str) -> f64 {
     text.parse().unwrap_or(f64::INFINITY)
 }
 
+/// Between the figures of builds in one cell.
+const BETWEEN: &str = " / ";
+
+/// Printed figures in one cell.
+pub(crate) fn spaced(figures: impl Iterator<Item = String>) -> String {
+    figures.collect::<Vec<_>>().join(BETWEEN)
+}
+
+/// The figures in such a cell.
+pub(crate) fn numbers(text: &str) -> Vec<f64> {
+    text.split(BETWEEN).map(number).collect()
+}
+
 /// Writes the rows of a chart as CSV.
 pub(crate) fn write_rows(rows: &[Row], further: &[&str], path: &Path) -> anyhow::Result<()> {
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -203,8 +213,7 @@ pub(crate) fn write_rows(rows: &[Row], further: &[&str], path: &Path) -> anyhow:
             &row.error_max,
             &row.error_mean,
             &row.throughput_median,
-            &row.throughput_low,
-            &row.throughput_high,
+            &row.throughput_builds,
             &row.unit,
             &does_the_job,
             &frontier,
@@ -231,15 +240,14 @@ pub(crate) fn read_rows(path: &Path) -> anyhow::Result<Vec<Row>> {
             error_max: cell(1),
             error_mean: cell(2),
             throughput_median: cell(3),
-            throughput_low: cell(4),
-            throughput_high: cell(5),
-            unit: cell(6),
-            does_the_job: cell(7) == "true",
-            frontier: cell(8) == "true",
-            relative_time: cell(9),
-            relative_time_v3: cell(10),
-            samples: count(11)?,
-            bursts: count(12)?,
+            throughput_builds: cell(4),
+            unit: cell(5),
+            does_the_job: cell(6) == "true",
+            frontier: cell(7) == "true",
+            relative_time: cell(8),
+            relative_time_v3: cell(9),
+            samples: count(10)?,
+            bursts: count(11)?,
             further: (COLUMNS.len()..record.len()).map(cell).collect(),
         });
     }

@@ -7,7 +7,6 @@
 //! | `burst SEED` | the seconds that each piece takes once, timed in a random order |
 
 use std::io::{BufRead, Write};
-use std::time::Instant;
 
 use anyhow::{Context, bail};
 use fastrand::Rng;
@@ -59,15 +58,17 @@ fn with_runs(mut work: Work) -> (Work, u32) {
 fn burst(pieces: &mut [(Work, u32)], random: &mut Rng) -> Vec<f64> {
     let mut order: Vec<usize> = (0..pieces.len()).collect();
     let mut seconds = vec![Vec::new(); pieces.len()];
-    let start = Instant::now();
+    let mut sum = 0.0;
     for pass in 0..PASSES {
-        if pass > 0 && start.elapsed().as_secs_f64() > LONG {
+        if pass > 0 && sum > LONG {
             break;
         }
         random.shuffle(&mut order);
         for &n in &order {
             let (work, runs) = &mut pieces[n];
-            seconds[n].push(work.time(*runs) / f64::from(*runs));
+            let time = work.time(*runs);
+            seconds[n].push(time / f64::from(*runs));
+            sum += time;
         }
     }
     seconds.into_iter().map(|mut passes| super::speed::median(&mut passes)).collect()
