@@ -29,11 +29,16 @@ pub struct Polygon<V> {
 }
 
 impl<V: Varying> Polygon<V> {
-    /// A triangle.
+    /// A polygon of these corners.
+    ///
+    /// # Panics
+    /// Where there is none, or there are more than [`MOST_CORNERS`].
     #[inline]
     #[must_use]
-    pub fn new([a, b, c]: [ClipVertex<V>; 3]) -> Self {
-        Self { corners: [a, b, c, a, a, a, a, a, a], count: 3 }
+    pub fn new(corners: &[ClipVertex<V>]) -> Self {
+        let mut all = [corners[0]; MOST_CORNERS];
+        all[..corners.len()].copy_from_slice(corners);
+        Self { corners: all, count: corners.len() }
     }
 
     /// Its corners; none where nothing is left.

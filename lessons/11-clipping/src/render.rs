@@ -155,7 +155,7 @@ pub fn render<S: Shader + ?Sized>(
 #[cold]
 #[inline(never)]
 fn clip_by<V: Varying>(corners: [ClipVertex<V>; 3], planes: &[Vec4], needed: u8) -> Polygon<V> {
-    let mut polygon = Polygon::new(corners);
+    let mut polygon = Polygon::new(&corners);
     for (n, &plane) in planes.iter().enumerate() {
         if needed >> n & 1 == 1 {
             polygon = clip(&polygon, plane);

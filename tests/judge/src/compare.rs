@@ -74,6 +74,24 @@ pub enum Finding {
         /// What it is there.
         got: f32,
     },
+    /// A list of another length than expected.
+    WrongLength {
+        /// How long it should be.
+        expected: usize,
+        /// How long it is.
+        got: usize,
+    },
+    /// Points of a list that are others than expected.
+    WrongPoint {
+        /// How many.
+        count: usize,
+        /// The first one, from 0.
+        index: usize,
+        /// What it should be.
+        expected: String,
+        /// What it is.
+        got: String,
+    },
     /// A result of another kind or size than expected.
     WrongShape,
     /// A `todo!` was reached.
@@ -137,6 +155,17 @@ impl fmt::Display for Finding {
                     1 => Ok(()),
                     2 => write!(f, "; another number is wrong"),
                     more => write!(f, "; {} more numbers are wrong", more - 1),
+                }
+            }
+            Self::WrongLength { expected, got } => {
+                write!(f, "gave a list of {got}, expected one of {expected}")
+            }
+            Self::WrongPoint { count, index, expected, got } => {
+                write!(f, "gave {got} in place {index} of the list, expected {expected}")?;
+                match count {
+                    1 => Ok(()),
+                    2 => write!(f, "; another place is wrong"),
+                    more => write!(f, "; {} more places are wrong", more - 1),
                 }
             }
             Self::WrongShape => write!(f, "the result has another size than it should"),
@@ -248,6 +277,23 @@ pub(crate) fn compare(expected: &Raw, got: &Raw, precision: Precision) -> Vec<Fi
                 some => format!("Some({})", value(some)),
             };
             vec![Finding::WrongValue { expected: option(values), got: option(got) }]
+        }
+        (Raw::List { columns, values }, Raw::List { columns: got_columns, values: got })
+            if columns == got_columns =>
+        {
+            if values.len() != got.len() {
+                let [expected, got] = [values, got].map(|values| values.len() / columns);
+                return vec![Finding::WrongLength { expected, got }];
+            }
+            let points = || values.chunks_exact(*columns).zip(got.chunks_exact(*columns)).enumerate();
+            let mut wrong = points().filter(|(_, (a, b))| first_off(a, b, tolerance).is_some());
+            let first = wrong.next().map(|(index, (expected, got))| Finding::WrongPoint {
+                count: 1 + wrong.count(),
+                index,
+                expected: value(expected),
+                got: value(got),
+            });
+            first.into_iter().collect()
         }
         _ => vec![Finding::WrongShape],
     }

@@ -21,7 +21,7 @@ impl<F> Judge<F> {
         let tasks = self.mission.tasks(SEED).into_iter().flatten();
         let questions = keys.iter().flat_map(|key| &key.questions);
         let (task, question) = tasks.zip(questions).nth(n - 1).context("an input")?;
-        let names = ["Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3"];
+        let names = ["Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3", "Vec4"];
         let used = names.iter().filter(|name| {
             [format!("{name}::"), format!("{name} {{")].iter().any(|word| task.code.contains(word))
         });
@@ -31,6 +31,10 @@ impl<F> Judge<F> {
         let shows = match &question.expected {
             Raw::Numbers { values, .. } => {
                 let expected = if values.is_empty() { "None".into() } else { value(values) };
+                format!("println!(\"got {{got:?}}, expected {expected}\");")
+            }
+            Raw::List { columns, values } => {
+                let expected = values.chunks_exact(*columns).map(value).collect::<Vec<_>>().join(", ");
                 format!("println!(\"got {{got:?}}, expected {expected}\");")
             }
             Raw::Picture(_) => {

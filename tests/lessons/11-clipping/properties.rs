@@ -67,7 +67,7 @@ fn complementary_halves_lose_no_pixel_and_double_none() {
             Vec4::new(within(&mut rng, 1.5 * w), within(&mut rng, 1.5 * w), within(&mut rng, w), w)
         });
         let plane = Vec4::from_array([(); 4].map(|()| within(&mut rng, 1.0)));
-        let whole = Polygon::new(vertices(positions, [(); 3]));
+        let whole = Polygon::new(&vertices(positions, [(); 3]));
         let halves = [clip(&whole, plane), clip(&whole, -plane)];
         if halves.iter().any(|half| half.corners().is_empty()) {
             continue;
@@ -120,7 +120,7 @@ fn a_shared_side_is_cut_bit_for_bit_alike() {
             let on_side = |positions, varyings: [(Vec2, f32); 3]| {
                 let polygon = planes
                     .iter()
-                    .fold(Polygon::new(vertices(positions, varyings)), |p, &plane| clip(&p, plane));
+                    .fold(Polygon::new(&vertices(positions, varyings)), |p, &plane| clip(&p, plane));
                 let on = polygon.corners().iter().filter(|corner| corner.varying.1 == 0.0);
                 on.map(|c| {
                     (c.position.to_array().map(f32::to_bits), c.varying.0.to_array().map(f32::to_bits))
@@ -152,7 +152,7 @@ fn nine_corners_are_enough_and_needed() {
                 _ => Vec4::new(x, y, z, 1.0),
             }
         });
-        let mut polygon = Polygon::new(vertices(positions, [(); 3]));
+        let mut polygon = Polygon::new(&vertices(positions, [(); 3]));
         for plane in PLANES {
             let before = polygon.corners().len();
             polygon = clip(&polygon, plane);
@@ -177,7 +177,7 @@ fn the_guard_band_leaves_what_the_fill_computes_exactly() {
             let reach = if rng.u8(0..3) == 0 { 1.0 } else { scale };
             Vec4::from_array([(); 4].map(|()| within(&mut rng, reach)))
         });
-        let whole = Polygon::new(vertices(positions, [(); 3]));
+        let whole = Polygon::new(&vertices(positions, [(); 3]));
         let left = guard_band(size).iter().fold(whole, |polygon, &plane| clip(&polygon, plane));
         for place in left.corners().iter().filter_map(|corner| window(corner.position, size)) {
             // The cut and the window round, each by some 2⁻²⁴ of 2¹⁶ px.

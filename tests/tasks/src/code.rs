@@ -1,6 +1,6 @@
 //! Values as Rust, to be pasted into a test.
 
-use common::{Color, IVec2, Mat4, Vec2, Vec3};
+use common::{Color, IVec2, Mat4, Vec2, Vec3, Vec4};
 
 /// A value that can be written as Rust. The types are those that `common` has.
 pub trait Code {
@@ -33,6 +33,12 @@ impl Code for Vec2 {
 impl Code for Vec3 {
     fn code(&self) -> String {
         format!("Vec3::new({}, {}, {})", self.x.code(), self.y.code(), self.z.code())
+    }
+}
+
+impl Code for Vec4 {
+    fn code(&self) -> String {
+        format!("Vec4::new({})", self.to_array().map(|n| n.code()).join(", "))
     }
 }
 

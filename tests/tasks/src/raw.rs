@@ -25,6 +25,13 @@ pub enum Raw {
         /// The rows, one after the other.
         values: Vec<f32>,
     },
+    /// A list of points, as many as there happen to be.
+    List {
+        /// Numbers of a point.
+        columns: usize,
+        /// The points, one after the other.
+        values: Vec<f32>,
+    },
 }
 
 impl Raw {
@@ -38,6 +45,12 @@ impl Raw {
     #[must_use]
     pub fn rows<const N: usize>(rows: impl IntoIterator<Item = [f32; N]>) -> Self {
         Self::Numbers { columns: N, values: rows.into_iter().flatten().collect() }
+    }
+
+    /// A list of points.
+    #[must_use]
+    pub fn list<const N: usize>(points: impl IntoIterator<Item = [f32; N]>) -> Self {
+        Self::List { columns: N, values: points.into_iter().flatten().collect() }
     }
 
     /// The depths that a drawing has left behind, from (0, 0) to the upper right corner of `bounds`.
@@ -88,6 +101,10 @@ impl fmt::Display for Answer {
                 write!(f, "numbers {columns}")?;
                 list(f, values)
             }
+            Self::Raw(Raw::List { columns, values }) => {
+                write!(f, "list {columns}")?;
+                list(f, values)
+            }
             Self::Unwritten(said) => write!(f, "unwritten {}", line(said)),
             Self::Crashed(said) => write!(f, "crashed {}", line(said)),
             Self::OutOfTime => write!(f, "late"),
@@ -111,6 +128,7 @@ impl FromStr for Answer {
             "picture" => picture(rest).map(Raw::Picture).map(Self::Raw),
             "depths" => table().map(|(width, values)| Self::Raw(Raw::Depths { width, values })),
             "numbers" => table().map(|(columns, values)| Self::Raw(Raw::Numbers { columns, values })),
+            "list" => table().map(|(columns, values)| Self::Raw(Raw::List { columns, values })),
             "unwritten" => Some(Self::Unwritten(rest.into())),
             "crashed" => Some(Self::Crashed(rest.into())),
             "late" => Some(Self::OutOfTime),
@@ -150,7 +168,9 @@ mod tests {
             Answer::Raw(Raw::Picture(image)),
             Answer::Raw(Raw::Picture(Image::new(0, 0, Format::Rgb))),
             Answer::Raw(Raw::Depths { width: 3, values: odd.clone() }),
-            Answer::Raw(Raw::Numbers { columns: 2, values: odd }),
+            Answer::Raw(Raw::Numbers { columns: 2, values: odd.clone() }),
+            Answer::Raw(Raw::List { columns: 3, values: odd }),
+            Answer::Raw(Raw::list::<4>([])),
             Answer::Unwritten("lib.rs:3: plot".into()),
             Answer::Crashed("index out of bounds".into()),
             Answer::OutOfTime,
