@@ -335,7 +335,7 @@ fn polygon() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-2.3, -7.6), (8.1, 2.6));
     // All at w = 1, so that clip space is the picture.
     let corner = |x: f32, y: f32| ClipVertex { position: Vec4::new(x, y, 0.0, 1.0), varying: () };
-    let triangle = Polygon::new([corner(-2.0, -0.5), corner(1.6, -1.5), corner(0.5, 2.0)]);
+    let triangle = Polygon::new(&[corner(-2.0, -0.5), corner(1.6, -1.5), corner(0.5, 2.0)]);
     let [_, _, sides @ ..] = PLANES;
     let mut rest = triangle;
     for (n, (plane, name)) in sides.into_iter().zip(["left", "right", "bottom", "top"]).enumerate() {
