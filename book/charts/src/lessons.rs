@@ -10,6 +10,8 @@ use crate::measuring::table::Chart;
 
 #[path = "../../lessons/08-camera/mod.rs"]
 pub(crate) mod camera;
+#[path = "../../lessons/11-clipping/mod.rs"]
+pub(crate) mod clipping;
 #[path = "../../lessons/06-gouraud/mod.rs"]
 pub(crate) mod gouraud;
 #[path = "../../lessons/01-lines/mod.rs"]
@@ -41,6 +43,7 @@ pub const LESSONS: &[Lesson] = &[
     camera::LESSON,
     shaders::LESSON,
     perspective::LESSON,
+    clipping::LESSON,
 ];
 
 /// What the book shows of a lesson.

@@ -19,6 +19,7 @@ pub(crate) mod measure;
 pub(crate) mod models;
 mod needs;
 mod place;
+mod savings;
 pub(crate) mod scene;
 mod speed;
 mod summary;
@@ -59,8 +60,8 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: [Comparison; 4] =
-    [far::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
+const COMPARISONS: [Comparison; 5] =
+    [far::COMPARISON, savings::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
 
 /// Charts: what is behind the name of each file, and the SVG.
 type Pictures = Vec<(String, String)>;
@@ -175,7 +176,7 @@ pub fn run(flags: &Flags) -> anyhow::Result<()> {
     }
     let folder = folder(flags)?;
     let comparisons: Vec<&Comparison> =
-        if flags.lesson.is_none() { COMPARISONS.iter().collect() } else { Vec::new() };
+        COMPARISONS.iter().filter(|comparison| wanted(comparison.name)).collect();
     if !flags.draw {
         let mut run = Run::start(effort, flags.seconds, folder.clone())?;
         if same(&folder, Path::new(COMMITTED)) {
