@@ -249,9 +249,11 @@ fn a_mission_has_a_name_and_a_number() {
     }
 }
 
-/// A line of a program that says something of how it is done, without the space before it.
+/// A line of a program that says something of how it is done, without the space before it: more than a word.
 fn is_telling(line: &str) -> bool {
-    line.len() > 8 && !["//", "use ", "pub ", "fn ", "#["].iter().any(|word| line.starts_with(word))
+    line.len() > 8
+        && line.contains(|c: char| !c.is_alphanumeric())
+        && !["//", "use ", "pub ", "fn ", "#["].iter().any(|word| line.starts_with(word))
 }
 
 /// The lines of a lesson's code and of its mission's solution that none may see too early.
