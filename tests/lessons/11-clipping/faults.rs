@@ -132,11 +132,11 @@ pub(crate) const FAULTS: &[Fault<Clipping>] = &[
         hint: Some(1),
         versions: &[
             facing!(|corners| {
-                let [a, b, c] = corners.map(|corner| corner.xyw());
+                let [a, b, c] = corners.map(Vec4Swizzles::xyw);
                 f64::from(a.cross(b).dot(c))
             }),
             facing!(|corners| {
-                let [a, b, c] = corners.map(|corner| corner.xyw());
+                let [a, b, c] = corners.map(Vec4Swizzles::xyw);
                 a.cross(b).as_dvec3().dot(c.as_dvec3())
             }),
         ],
