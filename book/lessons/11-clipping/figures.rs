@@ -365,10 +365,10 @@ fn one_way([a, b]: [ClipVertex<()>; 2], [from, to]: [f64; 2]) -> ClipVertex<()> 
     ClipVertex { position: a.position + t * (b.position - a.position), varying: () }
 }
 
-/// A floor of triangles in two blues in turn, of each of which `rest` leaves a polygon without dents; what is left is divided
+/// A floor of triangles, so many at a time in one of two blues, of each of which `rest` leaves a polygon without dents; what is left is divided
 /// by its w and filled.
 fn flat(
-    triangles: &[[Vec3; 3]],
+    (triangles, at_a_time): (&[[Vec3; 3]], usize),
     to_clip: Mat4,
     side: u16,
     rest: impl Fn([ClipVertex<()>; 3]) -> Vec<ClipVertex<()>>,
@@ -379,7 +379,7 @@ fn flat(
         let rest = rest(triangle.map(|p| ClipVertex { position: to_clip * p.extend(1.0), varying: () }));
         let places: Vec<Vec2> =
             rest.iter().map(|corner| (corner.position.xy() / corner.position.w + 1.0) * size / 2.0).collect();
-        let color = [Color::rgb(0x5a, 0xa9, 0xd6), Color::rgb(0x2f, 0x86, 0xbd)][n % 2];
+        let color = [Color::rgb(0x5a, 0xa9, 0xd6), Color::rgb(0x2f, 0x86, 0xbd)][n / at_a_time % 2];
         let order: Vec<u32> = (0..places.len() as u32).collect();
         for triangle in Topology::Fan.triangles(&order) {
             fill(triangle.map(|n| places[n as usize]), bounds, |x, y, _| image.set(x, y, color));
@@ -396,7 +396,7 @@ fn cracks() -> anyhow::Result<Drawing> {
     // The near plane so far away that the cut is seen.
     let to_clip = perspective(45.0, 1.0, 1.6, 1000.0)? * Mat4::from_rotation_x(0.3);
     all_beside([one_way as Cut, cut].map(|cut| {
-        let image = flat(&triangles, to_clip, 220, |corners| cut_by(corners, PLANES[0], cut));
+        let image = flat((&triangles, 1), to_clip, 220, |corners| cut_by(corners, PLANES[0], cut));
         Ok(image.scale(440, 440))
     }))
 }
@@ -412,8 +412,8 @@ fn divided() -> anyhow::Result<Drawing> {
         }
     }
     let to_clip = perspective(60.0, 1.0, 0.1, 1000.0)?;
-    let right = flat(&triangles, to_clip, 440, |corners| cut_by(corners, PLANES[0], cut));
-    let wrong = flat(&triangles, to_clip, 440, |corners| corners.to_vec());
+    let right = flat((&triangles, 2), to_clip, 440, |corners| cut_by(corners, PLANES[0], cut));
+    let wrong = flat((&triangles, 2), to_clip, 440, |corners| corners.to_vec());
     all_beside([Ok(right), Ok(wrong)])
 }
 
@@ -421,7 +421,7 @@ fn turned() -> anyhow::Result<Drawing> {
     let head = [of_head()?];
     let to_clip = to_clip(36.0, EYE, Vec3::ZERO)?;
     // A light that both sides of the head get some of.
-    let from_the_left = Vec3::new(-0.8, 0.5, 0.3);
+    let from_the_left = Vec3::new(-0.4, 0.8, 0.5);
     all_beside(
         [Cull::Back, Cull::Front]
             .map(|cull| Ok(picture(&head, (cull, Clipping::GuardBand), (from_the_left, to_clip), 440))),
