@@ -479,7 +479,7 @@ fn bad_command_lines_and_folders_are_one_line() {
         ["class", "report", "empty", "missing"].map(|name| folder.path().join(name));
     fs::create_dir(&empty).unwrap();
     for (dir, more, code, words) in [
-        (&class, &["--lessons", "10"][..], 2, "not a lesson's number"),
+        (&class, &["--lessons", "99"][..], 2, "not a lesson's number"),
         (&class, &["--lessons", "3-1"], 2, "names no lesson"),
         (&class, &["--shard", "3/2"], 2, "not i/n"),
         (&class, &["--course", "/"], 1, "is not the course"),

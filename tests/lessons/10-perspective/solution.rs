@@ -1,7 +1,7 @@
 //! All of mission 10.
 use common::{Mat4, Vec3, Vec4};
 
-pub use perspective_tasks::given::{draw, to_window, view};
+pub use perspective_given::{draw, to_window, view};
 
 /// From eye space to clip space.
 pub fn frustum(l: f32, r: f32, b: f32, t: f32, n: f32, f: f32) -> Option<Mat4> {

@@ -1,7 +1,7 @@
 //! All of mission 11.
 use common::{Vec4, Vec4Swizzles as _};
 
-pub use clipping_tasks::given::{ClipVertex, PLANES, draw};
+pub use clipping_given::{ClipVertex, PLANES, draw};
 
 /// The determinant of x, y and w.
 pub fn facing(corners: [Vec4; 3]) -> f64 {

@@ -15,7 +15,7 @@
 use common::{Mat4, Vec3};
 
 // Given: the view with the eye as its origin, the way to the window, and the loop over triangles and pixels.
-pub use perspective_tasks::given::{draw, to_window, view};
+pub use perspective_given::{draw, to_window, view};
 
 /// The matrix from eye space, where the camera looks along −z, to clip space: w becomes −z, the depth before the eye;
 /// the depth `n` becomes z = −w, the depth `f` z = w; and on the plane at the depth `n`, the rectangle from `l` to `r` and

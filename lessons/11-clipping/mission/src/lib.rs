@@ -14,7 +14,7 @@
 use common::Vec4;
 
 // Given: corners in clip space, the six planes, and the loop over triangles and pixels.
-pub use clipping_tasks::given::{ClipVertex, PLANES, draw};
+pub use clipping_given::{ClipVertex, PLANES, draw};
 
 /// Which side of a triangle is seen, by its corners in clip space: above 0 where it faces the eye, which is where its
 /// corners run counterclockwise in the picture, below 0 where it faces away, 0 where it is seen edge-on.

@@ -1,6 +1,6 @@
 //! Mission 11: which side of a triangle is seen, and what a plane leaves of a polygon.
 
-pub mod given;
+pub use clipping_given as given;
 
 use common::{Color, Image, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
 use fastrand::Rng;
