@@ -125,3 +125,70 @@ fn narrow(slope: f64, base: f64, width: f64, covers: impl Fn(i32) -> bool, first
         *last = *first - 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use common::IVec2;
+
+    use super::*;
+
+    /// The rows of a picture so many high in which a triangle with corners at these heights, in pixels, is looked for.
+    fn rows_of(height: i16, heights: [f32; 3], w: [f32; 3]) -> (i32, i32) {
+        let middle = f32::from(height) / 2.0;
+        let corner = |n: usize| Vec4::new(0.0, (heights[n] / middle - 1.0) * w[n], 0.0, w[n]);
+        rows(
+            [0, 1, 2].map(corner),
+            Bounds { min: IVec2::ZERO, max: IVec2::new(19, i32::from(height) - 1) },
+        )
+    }
+
+    /// No row is walked in vain but for one above and one below.
+    #[test]
+    fn rows_are_those_between_the_corners_and_two_more() {
+        assert_eq!(rows_of(16, [9.25, 4.5, 6.0], [1.0, 2.0, 0.5]), (3, 10));
+        assert_eq!(rows_of(16, [-1e6, 4.5, 1e6], [1.0, 2.0, 0.5]), (0, 15));
+        for (height, low, high) in [(16, -1e6, -3.0), (16, 19.0, 1e6), (1, 4.0, 5.0), (1, -5.0, -4.0)] {
+            let (bottom, top) = rows_of(height, [low, high, low], [1.0; 3]);
+            assert!(bottom > top, "{height}: from {bottom} to {top}");
+        }
+        // What is behind the eye, or at its depth, may be seen anywhere.
+        for w in [-1.0, 0.0] {
+            assert_eq!(rows_of(16, [9.25, 4.5, 6.0], [1.0, 2.0, w]), (0, 15));
+        }
+    }
+
+    /// The pixels of a row of so many that an edge leaves of those from `first` to `last`, and of how many it was asked.
+    fn narrowed(slope: f64, base: f64, width: i32, [first, last]: [i32; 2]) -> ([i32; 2], u32) {
+        let (mut left, mut right, asked) = (first, last, Cell::new(0));
+        let covers = |x: i32| {
+            asked.set(asked.get() + 1);
+            slope * ((f64::from(x) + 0.5) / f64::from(width) * 2.0 - 1.0) + base > 0.0
+        };
+        narrow(slope, base, width.into(), covers, &mut left, &mut right);
+        ([left, right], asked.get())
+    }
+
+    /// A quotient tells where an edge passes the row, so that no more than three pixels about it are asked for.
+    #[test]
+    fn an_edge_is_found_and_not_searched_for() {
+        for slope in [0.5, 3.0, -0.5, -3.0] {
+            for at in [0.0, 0.25, 100.0, 499.75, 700.5, 999.0] {
+                // The edge passes `at` pixels from the left end of 1,000.
+                let base = slope * (1.0 - at / 500.0);
+                let (left, asked) = narrowed(slope, base, 1000, [0, 999]);
+                let passes = (at - 0.5).floor() as i32;
+                let expected = if slope > 0.0 { [passes + 1, 999] } else { [0, (at - 0.5).ceil() as i32 - 1] };
+                assert_eq!(left, expected, "{slope} at {at}");
+                assert!(asked <= 3, "{slope} at {at}: {asked}");
+            }
+        }
+        // Nothing is left of what another edge has left nothing of, and nobody is asked.
+        assert_eq!(narrowed(1.0, 0.0, 1000, [7, 6]), ([7, 6], 0));
+        // An edge along the row covers all of it or nothing.
+        assert_eq!(narrowed(0.0, 1.0, 1000, [3, 6]), ([3, 6], 1));
+        let ([first, last], _) = narrowed(0.0, -1.0, 1000, [3, 6]);
+        assert!(first > last);
+    }
+}
