@@ -2,6 +2,7 @@
 
 use common::{DVec2, Method, Vec2, Vec3, Vec4, Vec4Swizzles};
 use triangles::edges::SUBPIXELS;
+use triangles::to_screen;
 
 /// A triangle as it is in the world and in clip space, for whoever wants to know which side of it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +65,7 @@ fn by_normal([a, b, c]: [Vec3; 3], eye: Vec3) -> f64 {
 /// Twice the area of the triangle in the picture.
 // ANCHOR: by_area
 fn by_area(corners: [Vec4; 3], size: Vec2) -> f64 {
-    area(corners.map(|corner| (corner.xy() / corner.w + 1.0) * size / 2.0))
+    area(corners.map(|corner| to_screen(corner.xyz() / corner.w, size)))
 }
 
 /// Twice the area of a triangle with its corners rounded as lesson 3 rounds them, in (1/256 px)²; positive where they run

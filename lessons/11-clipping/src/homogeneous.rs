@@ -138,10 +138,7 @@ mod tests {
     fn rows_of(height: i16, heights: [f32; 3], w: [f32; 3]) -> (i32, i32) {
         let middle = f32::from(height) / 2.0;
         let corner = |n: usize| Vec4::new(0.0, (heights[n] / middle - 1.0) * w[n], 0.0, w[n]);
-        rows(
-            [0, 1, 2].map(corner),
-            Bounds { min: IVec2::ZERO, max: IVec2::new(19, i32::from(height) - 1) },
-        )
+        rows([0, 1, 2].map(corner), Bounds { min: IVec2::ZERO, max: IVec2::new(19, i32::from(height) - 1) })
     }
 
     /// No row is walked in vain but for one above and one below.
@@ -179,7 +176,8 @@ mod tests {
                 let base = slope * (1.0 - at / 500.0);
                 let (left, asked) = narrowed(slope, base, 1000, [0, 999]);
                 let passes = (at - 0.5).floor() as i32;
-                let expected = if slope > 0.0 { [passes + 1, 999] } else { [0, (at - 0.5).ceil() as i32 - 1] };
+                let expected =
+                    if slope > 0.0 { [passes + 1, 999] } else { [0, (at - 0.5).ceil() as i32 - 1] };
                 assert_eq!(left, expected, "{slope} at {at}");
                 assert!(asked <= 3, "{slope} at {at}: {asked}");
             }

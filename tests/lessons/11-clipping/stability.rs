@@ -1,12 +1,14 @@
 use std::cell::RefCell;
 
 use assets::sphere::sphere;
-use clipping::facing::{Facing, View};
+use clipping::facing::{Facing, View, area};
+use clipping::homogeneous;
 use clipping::mesh::Assemble;
-use clipping::{ASSEMBLIES, Clipping, Cull, FACINGS, LESSON, METHODS, Mesh, draw, render};
-use common::{Attributes, Format, Image, Mat4, Method, Model, Vec2, Vec3, Vec4};
+use clipping::{ASSEMBLIES, ClipVertex, Clipping, Cull, FACINGS, LESSON, METHODS, Mesh, draw, render};
+use common::{Attributes, Format, Image, Mat4, Method, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
+use fastrand::Rng;
 use gouraud::corner_normals;
-use perspective::{perspective, view};
+use perspective::{perspective, view, window};
 use shaders::lighting::{Flat, Gouraud, Lighting, Quantized};
 use shaders::shader::{Fragment, Shader};
 use shaders::source::{Source, Texture, White};
@@ -330,6 +332,55 @@ fn the_side_that_is_seen_is_told_by_a_sign() {
         let exact =
             ["says back", "says edge-on", "says front"][(1 + checks::clipspace::side(corners)) as usize];
         counted_if(says != exact, says)
+    });
+}
+
+/// What is filled has its corners rounded twice, to an `f32` in the picture and then to 1/256 px: so has what is measured,
+/// also in the largest picture, where an `f32` holds no more than 1/256 px.
+#[test]
+fn the_signed_area_is_that_of_what_is_filled() {
+    let mut rng = Rng::with_seed(17);
+    for n in 0..3000 {
+        let size = [Vec2::new(101.0, 77.0), Vec2::new(4096.0, 1024.0), Vec2::splat(65_536.0)][n % 3];
+        let clip = [(); 3].map(|()| {
+            let [x, y, w] = [(); 3].map(|()| 2.0 * rng.f32() - 1.0);
+            Vec4::new(x, y, 0.0, w.abs() + 0.5)
+        });
+        let filled = clip.map(|corner| window(corner, size).unwrap().xy());
+        let view = View { world: [Vec3::ZERO; 3], eye: Vec3::ZERO, clip, size };
+        assert_eq!(method(FACINGS, "signed-area")(&view), area(filled), "{clip:?} in {size}");
+    }
+}
+
+/// Without clipping, too, pixels are gone through where a triangle is between near and far, not elsewhere only to be
+/// refused by the target.
+#[test]
+fn without_clipping_only_pixels_between_near_and_far_are_visited() {
+    for far in [false, true] {
+        let z = if far { -30.0 } else { -0.125 };
+        let triangles = eye(&[[[-1.0, -1.0, -3.0], [z / 3.0, -0.25, z], [0.0, 1.5, -3.0]]]);
+        let vertices = triangles[0].map(|position| ClipVertex { position, varying: () });
+        let mut visited = [false; (SIDE * SIDE) as usize];
+        homogeneous::fill(vertices, verify::window(SIDE, SIDE), |x: i32, y: i32, _: f32, ()| {
+            visited[(y * SIDE + x) as usize] = true;
+        });
+        let mut seen = 0;
+        for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+            let Some(hits) = certain(&triangles, x, y, SIDE) else { continue };
+            assert_eq!(visited[(y * SIDE + x) as usize], hits[4].is_some(), "({x}, {y})");
+            seen += u32::from(hits[4].is_some());
+        }
+        assert!(seen > 20, "{seen}");
+    }
+}
+
+/// Through the eye: each of the three sides is the triangle's own plane, and half of the picture on one side of all three.
+#[test]
+fn what_is_seen_edge_on_covers_nothing_without_clipping() {
+    let corners = [(-1.0, 2.0), (1.0, 2.0), (0.5, -4.0)];
+    let vertices = corners.map(|(x, w)| ClipVertex { position: Vec4::new(x, 0.0, 0.0, w), varying: () });
+    homogeneous::fill(vertices, verify::window(SIDE, SIDE), |x: i32, y: i32, depth: f32, ()| {
+        panic!("({x}, {y}) at {depth}");
     });
 }
 
