@@ -96,31 +96,18 @@ fn rows(corners: [Vec4; 3], bounds: Bounds) -> (i32, i32) {
     (bounds.min.y.max(row(low.floor()) - 1), bounds.max.y.min(row(high.floor()) + 1))
 }
 
-/// Cuts a row's pixels down to those that an edge covers. A quotient tells about where it passes the row, the edge itself
-/// which pixels it covers: rounded as it is, it grows from left to right, or falls, or stays.
+/// Cuts a row's pixels down to those that an edge covers. A quotient tells where it passes the row, to far less than a pixel,
+/// and the edge itself which of the pixels about that place it covers: rounded as it is, it grows from left to right, or
+/// falls, or stays.
 fn narrow(slope: f64, base: f64, width: f64, covers: impl Fn(i32) -> bool, first: &mut i32, last: &mut i32) {
     if first > last {
         return;
     }
     let passes = ((1.0 - base / slope) * width / 2.0 - 0.5).clamp(f64::from(*first), f64::from(*last)) as i32;
     if slope > 0.0 {
-        let mut x = passes;
-        while x > *first && covers(x - 1) {
-            x -= 1;
-        }
-        while x <= *last && !covers(x) {
-            x += 1;
-        }
-        *first = x;
+        *first = (passes..=*last).find(|&x| covers(x)).unwrap_or(*last + 1);
     } else if slope < 0.0 {
-        let mut x = passes;
-        while x < *last && covers(x + 1) {
-            x += 1;
-        }
-        while x >= *first && !covers(x) {
-            x -= 1;
-        }
-        *last = x;
+        *last = (*first..=(passes + 1).min(*last)).rev().find(|&x| covers(x)).unwrap_or(*first - 1);
     } else if !covers(*first) {
         *last = *first - 1;
     }
@@ -167,7 +154,7 @@ mod tests {
         ([left, right], asked.get())
     }
 
-    /// A quotient tells where an edge passes the row, so that no more than three pixels about it are asked for.
+    /// An edge is asked for no more than three pixels, those about where it passes the row.
     #[test]
     fn an_edge_is_found_and_not_searched_for() {
         for slope in [0.5, 3.0, -0.5, -3.0] {
