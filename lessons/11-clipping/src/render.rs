@@ -252,4 +252,11 @@ mod tests {
         ];
         assert_eq!(fan_of(&corners), [[1, 2, 3]]);
     }
+    #[test]
+    fn counts_add_up_one_by_one() {
+        let mut sum = Counts { vertices: 2, outside: 3, culled: 4, cut: 5, left_out: 6, filled: 7 };
+        sum += Counts { vertices: 10, outside: 20, culled: 30, cut: 40, left_out: 50, filled: 60 };
+        let expected = Counts { vertices: 12, outside: 23, culled: 34, cut: 45, left_out: 56, filled: 67 };
+        assert_eq!(sum, expected);
+    }
 }
