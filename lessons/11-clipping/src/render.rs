@@ -239,6 +239,11 @@ mod tests {
         // Two corners in one place make a triangle without area.
         assert_eq!(fan_of(&[square[0], square[1], square[1], square[2]]), [[0, 2, 3]]);
         assert_eq!(fan_of(&square[..2]), [[0; 3]; 0]);
+        // Clockwise, and with a corner on a side: seen from the first corner nothing is turned round, so it stays the first.
+        let clockwise = [square[0], square[3], square[2], square[1], (2.0, 0.0)];
+        assert_eq!(fan_of(&clockwise), [[0, 1, 2], [0, 2, 3]]);
+        // A bow tie: as much of it is turned round as is not.
+        assert_eq!(fan_of(&[square[0], square[1], square[3], square[2]]), [[0; 3]; 0]);
     }
 
     /// The first corner and the last are brought past each other: seen from the first, a long sliver is turned round.

@@ -4,7 +4,9 @@ use assets::sphere::sphere;
 use clipping::facing::{Facing, View, area};
 use clipping::homogeneous;
 use clipping::mesh::Assemble;
-use clipping::{ASSEMBLIES, ClipVertex, Clipping, Cull, FACINGS, LESSON, METHODS, Mesh, draw, render};
+use clipping::{
+    ASSEMBLIES, ClipVertex, Clipping, Counts, Cull, FACINGS, LESSON, METHODS, Mesh, draw, render,
+};
 use common::{Attributes, Format, Image, Mat4, Method, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
 use fastrand::Rng;
 use gouraud::corner_normals;
@@ -416,6 +418,41 @@ fn what_shows_the_wrong_side_is_left_out() {
             [(0, 1), (0, 1), (0, 0)]
         );
     }
+}
+
+/// What became of each triangle, by each method: one of each kind, and of some kinds more than one.
+#[test]
+fn what_became_of_each_triangle_is_counted() {
+    let whole = [[-1.0, -1.0, -3.0], [1.0, -1.0, -3.0], [0.0, 1.0, -3.0]];
+    let back = [whole[0], whole[2], whole[1]];
+    let through_near = [[-1.0, -1.0, -3.0], [1.0, -1.0, -3.0], [0.0, 1.0, -0.25]];
+    let behind = [[-1.0, -1.0, 3.0], [0.0, 1.0, 3.0], [1.0, -1.0, 3.0]];
+    let aside = [[-9.0, -1.0, -3.0], [-8.0, -1.0, -3.0], [-8.0, 1.0, -3.0]];
+    let triangles = eye(&[
+        whole,
+        whole,
+        back,
+        back,
+        back,
+        through_near,
+        through_near,
+        behind,
+        behind,
+        behind,
+        behind,
+        aside,
+    ]);
+    let counts = |name: &str| {
+        let Counts { vertices, outside, culled, cut, left_out, filled } =
+            drawn(&triangles, *method(METHODS, name), Cull::Back, SIDE).1;
+        [vertices, outside, culled, cut, left_out, filled]
+    };
+    assert_eq!(counts("leave-out"), [36, 0, 3, 0, 4, 5]);
+    // The part of a triangle before near is a quadrangle, and is filled as two.
+    assert_eq!(counts("near"), [36, 4, 3, 2, 0, 7]);
+    assert_eq!(counts("six-planes"), [36, 5, 3, 2, 0, 6]);
+    assert_eq!(counts("guard-band"), [36, 5, 3, 2, 0, 6]);
+    assert_eq!(counts("homogeneous"), [36, 5, 3, 0, 0, 4]);
 }
 
 /// A model, with what a look of normals and texture needs.
