@@ -315,6 +315,11 @@ const BEHIND: &[Case<&str>] = &[
         &[("affine, every-16, every-8, per-pixel", Exact)],
     ),
     (
+        "a corner at w = 1e-6",
+        "v 0 9 -0.000001\nf 1/1/1 2/1/1 4/1/1\n",
+        &[("affine, every-16, every-8, per-pixel", Fails("left out 1"))],
+    ),
+    (
         "a corner at w = 2^-20, 9.5e-7",
         "v 0 9 -0.00000095367431640625\nf 1/1/1 2/1/1 4/1/1\n",
         &[("affine, every-16, every-8, per-pixel", Fails("left out 1"))],
