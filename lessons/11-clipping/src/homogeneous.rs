@@ -143,37 +143,43 @@ mod tests {
         }
     }
 
-    /// The pixels of a row of so many that an edge leaves of those from `first` to `last`, and of how many it was asked.
-    fn narrowed(slope: f64, base: f64, width: i32, [first, last]: [i32; 2]) -> ([i32; 2], u32) {
+    /// Where the centre of a pixel is in a row of 1,000, from −1 to 1.
+    fn center(x: i32) -> f64 {
+        (f64::from(x) + 0.5) / 1000.0 * 2.0 - 1.0
+    }
+
+    /// The pixels of such a row that an edge leaves of those from `first` to `last`, and of how many it was asked.
+    fn narrowed(slope: f64, base: f64, [first, last]: [i32; 2]) -> ([i32; 2], u32) {
         let (mut left, mut right, asked) = (first, last, Cell::new(0));
         let covers = |x: i32| {
             asked.set(asked.get() + 1);
-            slope * ((f64::from(x) + 0.5) / f64::from(width) * 2.0 - 1.0) + base > 0.0
+            slope * center(x) + base >= 0.0
         };
-        narrow(slope, base, width.into(), covers, &mut left, &mut right);
+        narrow(slope, base, 1000.0, covers, &mut left, &mut right);
         ([left, right], asked.get())
     }
 
-    /// An edge is asked for no more than three pixels, those about where it passes the row.
+    /// An edge is asked for no more than three pixels, those about where it passes the row; also where it passes right
+    /// through a centre, and rounding brings the quotient to either side of that.
     #[test]
     fn an_edge_is_found_and_not_searched_for() {
-        for slope in [0.5, 3.0, -0.5, -3.0] {
-            for at in [0.0, 0.25, 100.0, 499.75, 700.5, 999.0] {
-                // The edge passes `at` pixels from the left end of 1,000.
-                let base = slope * (1.0 - at / 500.0);
-                let (left, asked) = narrowed(slope, base, 1000, [0, 999]);
-                let passes = (at - 0.5).floor() as i32;
-                let expected =
-                    if slope > 0.0 { [passes + 1, 999] } else { [0, (at - 0.5).ceil() as i32 - 1] };
-                assert_eq!(left, expected, "{slope} at {at}");
-                assert!(asked <= 3, "{slope} at {at}: {asked}");
+        for slope in [0.5, 0.7, 3.0, -0.5, -0.7, -3.0] {
+            let through_centers = (0..1000).map(|x| -(slope * center(x)));
+            let elsewhere = (0..=1000).map(|x| slope * (1.0 - f64::from(x) / 500.0));
+            for base in through_centers.chain(elsewhere) {
+                let covered = |x: &i32| slope * center(*x) + base >= 0.0;
+                let first = (0..1000).find(covered).unwrap_or(if slope > 0.0 { 1000 } else { 0 });
+                let last = (0..1000).rev().find(covered).unwrap_or(if slope > 0.0 { 999 } else { -1 });
+                let (left, asked) = narrowed(slope, base, [0, 999]);
+                assert_eq!(left, [first, last], "{slope} {base}");
+                assert!(asked <= 3, "{slope} {base}: {asked}");
             }
         }
         // Nothing is left of what another edge has left nothing of, and nobody is asked.
-        assert_eq!(narrowed(1.0, 0.0, 1000, [7, 6]), ([7, 6], 0));
+        assert_eq!(narrowed(1.0, 0.0, [7, 6]), ([7, 6], 0));
         // An edge along the row covers all of it or nothing.
-        assert_eq!(narrowed(0.0, 1.0, 1000, [3, 6]), ([3, 6], 1));
-        let ([first, last], _) = narrowed(0.0, -1.0, 1000, [3, 6]);
+        assert_eq!(narrowed(0.0, 1.0, [3, 6]), ([3, 6], 1));
+        let ([first, last], _) = narrowed(0.0, -1.0, [3, 6]);
         assert!(first > last);
     }
 }
