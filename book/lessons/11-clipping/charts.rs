@@ -41,7 +41,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         error: Quantity { name: "wrong pixels", unit: "of 10,000", limit: (1.0, "one of 10,000") },
         measure: method_stability,
     },
-    wrong: &[],
+    wrong: &["leave-out"],
     advice: &[
         ("guard-band", "always, with a fill that holds its numbers exactly"),
         ("homogeneous", "where pixels are asked one by one anyhow, as in a ray tracer or on a GPU"),
@@ -71,7 +71,7 @@ pub(crate) const FACINGS_CHART: Chart = Chart {
         error: Quantity { name: "wrong signs", unit: "%", limit: (1.0, "one in a hundred") },
         measure: facing_stability,
     },
-    wrong: &[],
+    wrong: &["signed-area"],
     advice: &[
         ("determinant", "always"),
         ("signed-area", "after clipping, as GPUs do it"),

@@ -141,8 +141,8 @@ pub const DEPTHS: &[Method<Keep>] = &[
     Method {
         name: "z24",
         run: Keep::new::<Z24>(false),
-        promise: "the window's z in 2^24 levels; half of them before twice the near plane",
-        failure: "gaps grow as the square of the distance: far away to 6e-8 f/n of it, a twentieth where f/n = 10^6",
+        promise: "the window's z in 2²⁴ levels; half of them before twice the near plane",
+        failure: "gaps grow as the square of the distance: far away to 6·10⁻⁸ f/n of it, a twentieth where f/n = 10⁶",
     },
     Method {
         name: "z-f32",
@@ -153,7 +153,7 @@ pub const DEPTHS: &[Method<Keep>] = &[
     Method {
         name: "reversed-z-f32",
         run: Keep::new::<ReversedZF32>(false),
-        promise: "gaps of at most 2.4e-7 of the distance everywhere; needs no far plane, and no division",
+        promise: "gaps of at most 2.4·10⁻⁷ of the distance everywhere; needs no far plane, and no division",
         failure: "only if it is computed from 1/w; turned round after z was rounded it is z-f32 again",
     },
     Method {

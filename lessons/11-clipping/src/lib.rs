@@ -63,13 +63,13 @@ pub const METHODS: &[Method<Clipping>] = &[
         name: "leave-out",
         run: Clipping::LeaveOut,
         promise: "right where all corners are in front of the eye and between near and far",
-        failure: "a triangle with a corner at w <= 1e-6 is missing, and what is nearer than the near plane is drawn",
+        failure: "a triangle with a corner at w ≤ 10⁻⁶ is missing, and what is nearer than the near plane is drawn",
     },
     Method {
         name: "near",
         run: Clipping::Near,
         promise: "cuts by one plane, and nothing is behind the eye any more; the fill's bounds do the rest",
-        failure: "corners beyond 2^16 px of the picture are filled slowly, those beyond 2^52 px not at all",
+        failure: "corners beyond 2¹⁶ px of the picture are filled slowly, those beyond 2⁵² px not at all",
     },
     Method {
         name: "six-planes",
@@ -80,8 +80,8 @@ pub const METHODS: &[Method<Clipping>] = &[
     Method {
         name: "guard-band",
         run: Clipping::GuardBand,
-        promise: "cuts by near and far, and else only what reaches 2^15 px from the picture's middle",
-        failure: "nothing known; triangles that touch the eye itself, at w <= 1e-6, are left out and counted",
+        promise: "cuts by near and far, and else only what reaches 2¹⁵ px from the picture's middle",
+        failure: "nothing known; triangles that touch the eye itself, at w ≤ 10⁻⁶, are left out and counted",
     },
     Method {
         name: "homogeneous",

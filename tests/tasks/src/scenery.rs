@@ -50,6 +50,18 @@ pub fn noise(rng: &mut Rng, side: u16) -> Image {
     image
 }
 
+/// Four by four squares, each of another colour than its neighbours.
+#[must_use]
+pub fn pattern() -> Image {
+    let mut image = canvas(4, 4);
+    for (x, y, _) in image.clone().pixels() {
+        let dark = (x + y) % 2 == 0;
+        let shade = if dark { [40, 60] } else { [210, 170] }.map(|base: u8| base + 10 * x as u8);
+        image.set(x, y, Color::rgb(shade[0], shade[1], 60 + 30 * y as u8));
+    }
+    image
+}
+
 /// A number from −1 to 1.
 pub fn signed(rng: &mut Rng) -> f32 {
     rng.f32() * 2.0 - 1.0

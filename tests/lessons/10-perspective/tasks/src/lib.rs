@@ -1,8 +1,9 @@
 //! Mission 10: the matrix of a frustum, and weights in perspective.
 
 pub use perspective_given as given;
+pub use tasks::scenery::pattern;
 
-use common::{Color, Image, Mat4, Vec2, Vec3, Vec4Swizzles};
+use common::{Mat4, Vec2, Vec3, Vec4Swizzles};
 use fastrand::Rng;
 use tasks::scenery::{canvas, signed};
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
@@ -212,18 +213,6 @@ pub fn room() -> [Triangle; 4] {
         halves([at(-2.0, 0.0, 1.6), at(2.0, 0.0, 1.6), at(2.0, 0.0, -4.4), at(-2.0, 0.0, -4.4)], 3.0);
     let [c, d] = halves([at(2.0, 0.0, 1.0), at(2.0, 0.0, -4.4), at(2.0, 2.0, -4.4), at(2.0, 2.0, 1.0)], 2.0);
     [a, b, c, d]
-}
-
-/// Four by four squares, each of another colour than its neighbours.
-#[must_use]
-pub fn pattern() -> Image {
-    let mut image = canvas(4, 4);
-    for (x, y, _) in image.clone().pixels() {
-        let dark = (x + y) % 2 == 0;
-        let shade = if dark { [40, 60] } else { [210, 170] }.map(|base: u8| base + 10 * x as u8);
-        image.set(x, y, Color::rgb(shade[0], shade[1], 60 + 30 * y as u8));
-    }
-    image
 }
 
 /// The room by a student's two functions; black where there is no matrix.

@@ -1,6 +1,7 @@
 //! Mission 11: which side of a triangle is seen, and what a plane leaves of a polygon.
 
 pub use clipping_given as given;
+pub use tasks::scenery::pattern;
 
 use common::{Color, Image, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
 use fastrand::Rng;
@@ -319,18 +320,6 @@ fn placed(triangle: &[ClipVertex; 3], planes: &[Vec4], functions: &Clipping) -> 
     let polygon = planes.iter().fold(triangle.to_vec(), |polygon, &plane| (functions.clip)(&polygon, plane));
     let corner = |corner: ClipVertex| Some(window(corner.position, size)?.xyz());
     fan(&polygon).filter_map(|triangle| triangle.map(corner).into_iter().collect()).collect()
-}
-
-/// Four by four squares, each of another colour than its neighbours.
-#[must_use]
-pub fn pattern() -> Image {
-    let mut image = canvas(4, 4);
-    for (x, y, _) in image.clone().pixels() {
-        let dark = (x + y) % 2 == 0;
-        let shade = if dark { [40, 60] } else { [210, 170] }.map(|base: u8| base + 10 * x as u8);
-        image.set(x, y, Color::rgb(shade[0], shade[1], 60 + 30 * y as u8));
-    }
-    image
 }
 
 /// The walls of a room around the origin, seen from inside, and a board in it that shows its back to whoever looks along −z;
