@@ -110,7 +110,7 @@ pub const MISSION: Mission<Clipping> = Mission {
             precision: Precision { tolerance: 0.0, strays: 6 },
         },
         Check {
-            name: "room",
+            name: "picture",
             asks: "a room seen from inside, with a board in it that shows its back",
             points: 2,
             tasks: |rng| (0..2).map(|_| room(rng)).collect(),
