@@ -69,7 +69,7 @@ fn a_lesson_is_added_by_at_most_eight_lines_in_at_most_six_files_beside_its_fold
     let listed = course.cargo(&["run", "--package=course"]);
     succeeds(&listed);
     let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
-    let row = |line: &str| line.contains(&format!(" {number}  Wireframe")) && line.contains(" my-toy ");
+    let row = |line: &str| line.contains(&format!(" {number}  Toy ")) && line.contains(" my-toy ");
     assert!(listed.contains(&format!(" of {number} missions done\n")) && listed.lines().any(row), "{listed}");
     succeeds(&course.book(&[]));
     let page = course.root.join(format!("target/book/{lesson}.html"));
