@@ -81,6 +81,16 @@ pub struct Extras {
 #[error("{0}")]
 pub struct UsageError(pub String);
 
+/// What a flag names in a further table of a lesson.
+///
+/// # Errors
+/// Where the table has no row of that name.
+pub fn named<'a, F>(table: &'a [Method<F>], flag: &str, name: &str) -> Result<&'a F, UsageError> {
+    let names = || table.iter().map(|row| row.name).collect::<Vec<_>>().join(", ");
+    let unknown = || UsageError(format!("--{flag} {name}: there are {}", names()));
+    Method::find(table, name).map(|row| &row.run).ok_or_else(unknown)
+}
+
 /// The flags that every lesson's program has.
 #[derive(Clone, Debug, Args)]
 pub struct Shared {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
-use gouraud::corner_normals;
+use perspective::scene::Loaded;
 use perspective::{
     DEPTHS, DIVISIONS, FLOOR, Keep, METHODS, Planes, frustum, perspective, perspective_weights, view,
 };
@@ -115,46 +115,20 @@ const EYE: Vec3 = Vec3::new(1.1, 0.1, 3.4);
 const CENTER: Vec3 = Vec3::new(0.0, -0.1, 0.0);
 const PLANES: Planes = Planes { near: 0.1, far: 100.0 };
 
-/// A model with all that is drawn of it.
-struct Subject {
-    model: Model,
-    normals: Vec<[Vec3; 3]>,
-    texture: Image,
-    wrap: Wrap,
+fn of_head() -> anyhow::Result<Loaded> {
+    Ok(Loaded::new(model()?, texture()?, Wrap::Clamp))
 }
 
-impl Subject {
-    fn new(model: Model, texture: Image, wrap: Wrap) -> Self {
-        Self { normals: corner_normals(&model), model, texture, wrap }
-    }
-
-    fn head() -> anyhow::Result<Self> {
-        Ok(Self::new(model()?, texture()?, Wrap::Clamp))
-    }
-
-    fn floor() -> anyhow::Result<Self> {
-        let [model, texture] = FLOOR.map(Path::new);
-        let model = Model::read(model, Attributes { normals: true, uvs: true })?;
-        Ok(Self::new(model, Image::read(texture)?, Wrap::Repeat))
-    }
-
-    fn uniforms(&self, light: Vec3, to_clip: Mat4) -> Uniforms<'_> {
-        let texture = Some(&self.texture);
-        Uniforms {
-            normals: &self.normals,
-            texture,
-            wrap: self.wrap,
-            light,
-            to_clip,
-            ..Uniforms::new(&self.model)
-        }
-    }
+fn of_floor() -> anyhow::Result<Loaded> {
+    let [model, texture] = FLOOR.map(Path::new);
+    let model = Model::read(model, Attributes { normals: true, uvs: true })?;
+    Ok(Loaded::new(model, Image::read(texture)?, Wrap::Repeat))
 }
 
 /// Draws subjects over a picture, by rows of the lesson's tables.
 fn draw(
     (way, keep): (&str, &str),
-    subjects: &[Subject],
+    subjects: &[Loaded],
     light: Vec3,
     to_clip: Mat4,
     planes: Planes,
@@ -175,7 +149,7 @@ fn light() -> Vec3 {
 }
 
 fn head() -> anyhow::Result<Drawing> {
-    let subjects = [Subject::head()?, Subject::floor()?];
+    let subjects = [of_head()?, of_floor()?];
     let to_clip = perspective(45.0, 1.0, PLANES.near, PLANES.far)? * looking(EYE, CENTER)?;
     all_beside(["affine", "per-pixel"].map(|way| {
         // Drawn larger, so that it is smooth when it is made smaller.
@@ -189,7 +163,7 @@ fn head() -> anyhow::Result<Drawing> {
 pub(crate) fn two_triangles(way: &str) -> anyhow::Result<Image> {
     let at = |x: f32, z: f32| Vec3::new(x, -1.0, z);
     let model = quad([at(-1.0, -1.0), at(1.0, -1.0), at(1.0, -3.0), at(-1.0, -3.0)], [1.0, 1.0])?;
-    let subjects = [Subject::new(model, chequered(8, 8, TILES), Wrap::Clamp)];
+    let subjects = [Loaded::new(model, chequered(8, 8, TILES), Wrap::Clamp)];
     let to_clip = frustum(-0.102, 0.102, -0.102, -0.032, PLANES.near, PLANES.far)?;
     let mut image = Image::new(448, 154, Format::Rgb);
     draw((way, "z-f32"), &subjects, Vec3::Z, to_clip, PLANES, &mut image)?;
@@ -330,7 +304,7 @@ fn depth_curve() -> anyhow::Result<Drawing> {
 }
 
 fn fields_of_view() -> anyhow::Result<Drawing> {
-    let subjects = [Subject::head()?];
+    let subjects = [of_head()?];
     all_beside([15.0_f32, 40.0, 90.0].map(|fov| {
         // At this distance a length of 1.25 takes up half of the picture's height.
         let distance = 1.25 / (fov.to_radians() / 2.0).tan();
@@ -411,7 +385,7 @@ fn runs() -> anyhow::Result<Drawing> {
         [at(-0.62, -0.5, -0.7), at(4.2, -0.5, -4.6), at(4.2, 0.5, -4.6), at(-0.62, 0.5, -0.7)],
         [6.0, 1.0],
     )?;
-    let subjects = [Subject::new(wall, chequered(4, 4, TILES), Wrap::Repeat)];
+    let subjects = [Loaded::new(wall, chequered(4, 4, TILES), Wrap::Repeat)];
     const SIZE: [u16; 2] = [150, 58];
     let [width, height] = SIZE.map(f32::from);
     let to_clip = perspective(38.0, width / height, 0.1, 100.0)?;
@@ -518,11 +492,11 @@ fn gaps() -> anyhow::Result<Drawing> {
 }
 
 /// A floor in one colour at a height of −1, brought nearer to the eye by a share of its distance.
-fn plain_floor(nearer: f32, color: Color) -> anyhow::Result<Subject> {
+fn plain_floor(nearer: f32, color: Color) -> anyhow::Result<Loaded> {
     let at = |x: f32, z: f32| Vec3::new(x, -1.0, z) * (1.0 - nearer);
     let model =
         quad([at(-900.0, -1.0), at(900.0, -1.0), at(900.0, -1200.0), at(-900.0, -1200.0)], [1.0, 1.0])?;
-    Ok(Subject::new(model, painted(1, 1, |_, _| color), Wrap::Clamp))
+    Ok(Loaded::new(model, painted(1, 1, |_, _| color), Wrap::Clamp))
 }
 
 /// Two floors, one nearer than the other by a small share of the distance at every pixel; depths kept in one way.
@@ -544,7 +518,7 @@ pub(crate) fn two_floors(keep: &str, width: u16) -> anyhow::Result<Image> {
 
 /// A ball in a picture twice as wide as high, by a camera for pictures of that ratio.
 pub(crate) fn ball_before(ratio: f32) -> anyhow::Result<Image> {
-    let subjects = [Subject::new(ball(48, 80)?, painted(1, 1, |_, _| Color::WHITE), Wrap::Clamp)];
+    let subjects = [Loaded::new(ball(48, 80)?, painted(1, 1, |_, _| Color::WHITE), Wrap::Clamp)];
     let to_clip = perspective(30.0, ratio, PLANES.near, PLANES.far)? * looking(Vec3::Z * 5.0, Vec3::ZERO)?;
     let mut image = Image::new(900, 450, Format::Rgb);
     draw(("per-pixel", "z-f32"), &subjects, light(), to_clip, PLANES, &mut image)?;
@@ -559,7 +533,7 @@ fn fighting() -> anyhow::Result<Drawing> {
 const NEARER: f32 = 1e-5;
 
 fn behind() -> anyhow::Result<Drawing> {
-    let subjects = [Subject::head()?, Subject::floor()?];
+    let subjects = [of_head()?, of_floor()?];
     let eye = Vec3::new(0.7, -0.6, 1.7);
     let to_clip =
         perspective(80.0, 1.6, PLANES.near, PLANES.far)? * looking(eye, Vec3::new(0.0, -0.75, 0.0))?;

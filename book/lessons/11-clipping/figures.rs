@@ -10,7 +10,6 @@ use clipping::plane::{PLANES, distance};
 use clipping::render::Clipping;
 use clipping::{ClipVertex, Cull, METHODS, Mesh, Polygon, SLABS, clip, draw};
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
-use gouraud::corner_normals;
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
 use shaders::Uniforms;
@@ -115,9 +114,9 @@ pub(crate) const ALL: Attributes = Attributes { normals: true, uvs: true };
 type Subject = (Loaded, Mesh);
 
 fn subject(model: Model, texture: Image, wrap: Wrap) -> Subject {
-    let normals = corner_normals(&model);
-    let mesh = indexed(&model, &normals, ALL);
-    (Loaded { model, normals, texture, wrap }, mesh)
+    let loaded = Loaded::new(model, texture, wrap);
+    let mesh = indexed(&loaded.model, &loaded.normals, ALL);
+    (loaded, mesh)
 }
 
 fn of_head() -> anyhow::Result<Subject> {

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use camera::flags::{TurntableFlag, ViewFlags};
 use camera::lookat;
-use common::program::{Extras, Output, Program, UsageError, run};
+use common::program::{Extras, Output, Program, named, run};
 use common::{Attributes, Image, Lesson, Method, Model, Vec2, Vec3};
 use gouraud::corner_normals;
 use gouraud::flags::SceneFlags;
@@ -54,7 +54,7 @@ impl Program for Shaders {
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
         let shaders = match &flags.shader {
-            Some(name) => vec![find(name)?],
+            Some(name) => vec![named(SHADERS, "shader", name)?],
             None => SHADERS[..4].iter().map(|shader| &shader.run).collect(),
         };
         let needs = Attributes {
@@ -106,13 +106,6 @@ impl Program for Shaders {
         let from = self.flags.view;
         output.series(self, method, stops, |shaders, n| shaders.flags.view = from.turned(n, stops))
     }
-}
-
-/// The shader of that name.
-fn find(name: &str) -> Result<&'static Look, UsageError> {
-    let names = || SHADERS.iter().map(|shader| shader.name).collect::<Vec<_>>().join(", ");
-    let unknown = || UsageError(format!("--shader {name}: there are {}", names()));
-    Method::find(SHADERS, name).map(|shader| &shader.run).ok_or_else(unknown)
 }
 
 /// Copies a picture into another, its bottom-left corner to (x, y).

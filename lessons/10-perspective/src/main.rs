@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use camera::flags::ViewFlags;
-use common::program::{Extras, Program, UsageError, run};
+use common::program::{Extras, Program, UsageError, named, run};
 use common::{Image, Lesson, Method};
 use gouraud::flags::SceneFlags;
 use perspective::flags::CameraFlags;
@@ -66,9 +66,7 @@ impl Program for Perspective {
 /// The way to keep depths that is asked for.
 fn find(flags: &Flags) -> Result<&'static Keep, UsageError> {
     let name = &flags.projection;
-    let names = || DEPTHS.iter().map(|row| row.name).collect::<Vec<_>>().join(", ");
-    let unknown = || UsageError(format!("--projection {name}: there are {}", names()));
-    let keep = &Method::find(DEPTHS, name).ok_or_else(unknown)?.run;
+    let keep = named(DEPTHS, "projection", name)?;
     if keep.needs_far && flags.camera.far.is_infinite() {
         return Err(UsageError(format!("--projection {name}: it needs a finite --far")));
     }

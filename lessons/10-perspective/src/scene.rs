@@ -29,16 +29,19 @@ impl Loaded {
     /// Where a file cannot be read.
     pub fn read(flags: &SceneFlags, origin: DVec3, floor: [&str; 2]) -> anyhow::Result<Vec<Self>> {
         let needs = Attributes { normals: true, uvs: true };
-        let mut models = vec![Self::new(flags.model.read_about(origin, needs)?, flags.wrap)];
+        let (model, texture) = flags.model.read_about(origin, needs)?;
+        let mut models = vec![Self::new(model, texture, flags.wrap)];
         if !flags.model.is_given() {
             let [model, texture] = floor.map(Path::new);
             let floor = Model::read_placed(model, needs, &Placement { origin, ..Placement::default() })?;
-            models.push(Self::new((floor, Image::read(texture)?), Wrap::Repeat));
+            models.push(Self::new(floor, Image::read(texture)?, Wrap::Repeat));
         }
         Ok(models)
     }
 
-    fn new((model, texture): (Model, Image), wrap: Wrap) -> Self {
+    /// A model, lit smoothly, with its texture and what that is outside.
+    #[must_use]
+    pub fn new(model: Model, texture: Image, wrap: Wrap) -> Self {
         Self { normals: corner_normals(&model), model, texture, wrap }
     }
 

@@ -257,6 +257,7 @@ mod tests {
         ];
         assert_eq!(fan_of(&corners), [[1, 2, 3]]);
     }
+
     #[test]
     fn counts_add_up_one_by_one() {
         let mut sum = Counts { vertices: 2, outside: 3, culled: 4, cut: 5, left_out: 6, filled: 7 };

@@ -16,14 +16,15 @@ use std::time::{Duration, Instant};
 use camera::lookat;
 use common::{Attributes, Format, Image, Mat4, Model, Vec2, Vec3};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use gouraud::corner_normals;
 use perspective::depth::{Depth, Logarithmic, ReversedZF32, W, Z24, ZF32};
 use perspective::division::Exact;
 use perspective::interpolation::{Affine, Every, Interpolation, PerPixel};
+use perspective::scene::Loaded;
 use perspective::{Framebuffer, Planes, render};
 use shaders::lighting::{Flat, Gouraud, Lighting};
 use shaders::source::{Source, Texture, White};
 use shaders::{Lit, Uniforms, fit};
+use textures::Wrap;
 use transforms::{projection, scale};
 
 const SIDES: [u16; 3] = [200, 800, 1600];
@@ -33,24 +34,9 @@ fn asset(name: &str) -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../assets").join(name)
 }
 
-/// The head, its normals and its texture.
-struct Head {
-    model: Model,
-    normals: Vec<[Vec3; 3]>,
-    texture: Image,
-}
-
-impl Head {
-    fn read() -> Self {
-        let model = Model::read(&asset("head.obj"), BOTH).expect("the model is an asset");
-        let texture = Image::read(&asset("head.tga")).expect("the texture is an asset");
-        Self { normals: corner_normals(&model), model, texture }
-    }
-
-    fn uniforms(&self, to_clip: Mat4) -> Uniforms<'_> {
-        let Self { model, normals, texture } = self;
-        Uniforms { normals, texture: Some(texture), to_clip, ..Uniforms::new(model) }
-    }
+fn head() -> Loaded {
+    let model = Model::read(&asset("head.obj"), BOTH).expect("the model is an asset");
+    Loaded::new(model, Image::read(&asset("head.tga")).expect("the texture is an asset"), Wrap::Clamp)
 }
 
 /// Lesson 9's view of it from the slides' eye, in which a larger depth is nearer.
@@ -124,8 +110,8 @@ fn group(c: &mut Criterion, name: &str, side: u16, drawings: &[Drawing]) {
 }
 
 fn flat(c: &mut Criterion) {
-    let head = Head::read();
-    let uniforms = head.uniforms(slides_view());
+    let head = head();
+    let uniforms = head.uniforms(Vec3::Z, slides_view());
     for side in SIDES {
         let drawings: [Drawing; 2] = [
             ("lesson-9", Box::new(|image| whole_9(&uniforms, White, Flat, image))),
@@ -143,8 +129,8 @@ fn flat(c: &mut Criterion) {
 }
 
 fn textured(c: &mut Criterion) {
-    let head = Head::read();
-    let uniforms = head.uniforms(slides_view());
+    let head = head();
+    let uniforms = head.uniforms(Vec3::Z, slides_view());
     for side in SIDES {
         let drawings: [Drawing; 5] = [
             ("lesson-9", Box::new(|image| whole_9(&uniforms, Texture, Gouraud, image))),
@@ -177,8 +163,8 @@ fn ratio(side: u16, mut a: impl FnMut(&mut Image), mut b: impl FnMut(&mut Image)
 }
 
 fn ratios(_: &mut Criterion) {
-    let head = Head::read();
-    let uniforms = head.uniforms(slides_view());
+    let head = head();
+    let uniforms = head.uniforms(Vec3::Z, slides_view());
     println!("\ntimes of one run, taking turns:");
     for side in SIDES {
         let flat =

@@ -18,43 +18,30 @@ use clipping::mesh::indexed;
 use clipping::{ASSEMBLIES, Clipping, Cull, METHODS, Mesh, SLABS, draw, facing, render};
 use common::{Attributes, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use gouraud::corner_normals;
 use perspective::depth::ZF32;
+use perspective::scene::Loaded;
 use perspective::{perspective, view, window};
 use shaders::lighting::Gouraud;
 use shaders::source::Texture;
 use shaders::{Framebuffer, Lit, Uniforms, fit};
+use textures::Wrap;
 use transforms::projection;
 use triangles::fill;
 
 const SIDES: [u16; 3] = [200, 800, 1600];
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
 
-/// A model, with its normals, its texture and its vertices unified.
-struct Loaded {
-    model: Model,
-    normals: Vec<[Vec3; 3]>,
-    texture: Image,
-    mesh: Mesh,
+/// A model and its texture, with its vertices unified.
+fn read([model, texture]: [&Path; 2], wrap: Wrap) -> (Loaded, Mesh) {
+    let model = Model::read(model, BOTH).expect("the model is an asset");
+    let loaded = Loaded::new(model, Image::read(texture).expect("the texture is an asset"), wrap);
+    let mesh = indexed(&loaded.model, &loaded.normals, BOTH);
+    (loaded, mesh)
 }
 
-impl Loaded {
-    fn new([model, texture]: [&Path; 2]) -> Self {
-        let model = Model::read(model, BOTH).expect("the model is an asset");
-        let normals = corner_normals(&model);
-        let mesh = indexed(&model, &normals, BOTH);
-        Self { normals, mesh, model, texture: Image::read(texture).expect("the texture is an asset") }
-    }
-
-    fn head() -> Self {
-        let asset = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../assets").join(name);
-        Self::new([&asset("head.obj"), &asset("head.tga")])
-    }
-
-    fn uniforms(&self, light: Vec3, to_clip: Mat4) -> Uniforms<'_> {
-        let Self { model, normals, texture, .. } = self;
-        Uniforms { normals, texture: Some(texture), light, to_clip, ..Uniforms::new(model) }
-    }
+fn head() -> (Loaded, Mesh) {
+    let asset = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../assets").join(name);
+    read([&asset("head.obj"), &asset("head.tga")], Wrap::Clamp)
 }
 
 fn canvas(side: u16) -> Image {
@@ -125,7 +112,7 @@ fn shares_of_backs(head: &Loaded, to_clip: Mat4, side: u16) -> [f64; 2] {
 }
 
 fn ratios(_: &mut Criterion) {
-    let head = Loaded::head();
+    let (head, own_mesh) = head();
     for (name, to_clip) in [("the slides' eye", turned()), ("the default eye", default_view())] {
         let [all, lit] = shares_of_backs(&head, to_clip, 800);
         println!(
@@ -145,7 +132,7 @@ fn ratios(_: &mut Criterion) {
             let taken = ratio(
                 || {
                     lesson_11.depths.clear();
-                    by_lesson_11(&after, &head.mesh, cull, &mut lesson_11);
+                    by_lesson_11(&after, &own_mesh, cull, &mut lesson_11);
                 },
                 || {
                     lesson_9.depths.clear();
@@ -159,7 +146,7 @@ fn ratios(_: &mut Criterion) {
     for side in SIDES {
         let [mut a, mut b] = [canvas(side), canvas(side)];
         let uniforms = head.uniforms(light, default_view());
-        let scene = [(uniforms, &head.mesh)];
+        let scene = [(uniforms, &own_mesh)];
         let draw = |cull, image: &mut Image| drop(black_box(draw(&scene, cull, Clipping::GuardBand, image)));
         let taken = ratio(|| draw(Cull::Back, &mut a), || draw(Cull::None, &mut b));
         println!("{side}x{side}: the head at the default eye, culled / not: {taken:.3}");
@@ -171,25 +158,20 @@ fn ratios(_: &mut Criterion) {
         let draw = |mesh: &Mesh, image: &mut Image| {
             by_lesson_11(&after, mesh, Cull::Back, &mut perspective::Framebuffer::new(image, ZF32));
         };
-        let taken = ratio(|| draw(&mesh, &mut a), || draw(&head.mesh, &mut b));
+        let taken = ratio(|| draw(&mesh, &mut a), || draw(&own_mesh, &mut b));
         println!("800x800: the head, {} / indexed: {taken:.3}", row.name);
     }
 }
 
 fn loops(c: &mut Criterion) {
-    let head = Loaded::head();
+    let (head, own_mesh) = head();
     for (group, cull) in [("loop", Cull::None), ("head", Cull::Back)] {
         let mut group = c.benchmark_group(group);
         for side in SIDES {
             let (before, after) = (head.uniforms(Vec3::Z, slides()), head.uniforms(Vec3::Z, turned()));
             let (mut target, mut image) = (Framebuffer::new(canvas(side)), canvas(side));
             by_lesson_9(&before, &mut target);
-            by_lesson_11(
-                &after,
-                &head.mesh,
-                Cull::None,
-                &mut perspective::Framebuffer::new(&mut image, ZF32),
-            );
+            by_lesson_11(&after, &own_mesh, Cull::None, &mut perspective::Framebuffer::new(&mut image, ZF32));
             let differ =
                 image.pixels().filter(|&(x, y, color)| target.image.get(x, y) != Some(color)).count();
             // In perspective a texel is another here and there, and none is where none was.
@@ -208,7 +190,7 @@ fn loops(c: &mut Criterion) {
                     || canvas(side),
                     |image| {
                         let mut target = perspective::Framebuffer::new(image, ZF32);
-                        by_lesson_11(&after, &head.mesh, cull, &mut target);
+                        by_lesson_11(&after, &own_mesh, cull, &mut target);
                     },
                     BatchSize::LargeInput,
                 );
@@ -218,14 +200,11 @@ fn loops(c: &mut Criterion) {
 }
 
 fn methods(c: &mut Criterion) {
-    let (head, floor) = (Loaded::head(), Loaded::new(SLABS.map(Path::new)));
+    let models = [head(), read(SLABS.map(Path::new), Wrap::Repeat)];
     let light = Vec3::new(0.4, 0.8, 0.8).normalize();
     let mut group = c.benchmark_group("methods");
     for row in METHODS {
-        let scene = [&head, &floor].map(|part| {
-            let wrap = textures::Wrap::Repeat;
-            (Uniforms { wrap, ..part.uniforms(light, default_view()) }, &part.mesh)
-        });
+        let scene = models.each_ref().map(|(loaded, mesh)| (loaded.uniforms(light, default_view()), mesh));
         group.bench_function(row.name, |b| {
             b.iter_batched_ref(
                 || canvas(800),
