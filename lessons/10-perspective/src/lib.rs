@@ -190,7 +190,7 @@ pub const METHODS: &[Method<Interpolate>] = &[
             visit: |corners, varyings, bounds, visit| Affine.fill(corners, varyings, bounds, visit),
         },
         promise: "linear in the picture: right where all corners are equally far",
-        failure: "warps, each triangle in its own way: of a side, up to the share (sqrt r - 1)/(sqrt r + 1), r the ratio of its ends' depths",
+        failure: "warps, each triangle in its own way: of a side, up to the share (√r − 1)/(√r + 1), r the ratio of its ends' depths",
     },
     Method {
         name: "every-16",
