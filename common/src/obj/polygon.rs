@@ -165,6 +165,23 @@ mod tests {
         })
     }
 
+    /// Of such a face, the ears may be cut off the wrong way round: here, between the corners 3, 4 and 6.
+    #[test]
+    fn triangles_of_a_face_that_crosses_itself_turn_as_it_does() {
+        let outline: [[i8; 2]; 9] = [[3, 2], [7, 1], [7, 3], [3, 0], [3, 7], [1, 5], [4, 0], [6, 2], [0, 1]];
+        let corners = outline.map(|[x, y]| DVec3::new(x.into(), y.into(), 0.0));
+        let normal = normal(&corners);
+        let triangles = cut(&corners.map(|corner| corner.to_array()));
+        assert!(
+            triangles.iter().any(|triangle| [3, 4, 6].iter().all(|n| triangle.contains(n))),
+            "{triangles:?}"
+        );
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|n| corners[n as usize]);
+            assert!((b - a).cross(c - a).dot(normal) >= 0.0, "{triangle:?}");
+        }
+    }
+
     #[test]
     fn there_may_be_millions_of_corners_around_what_is_convex_and_not_elsewhere() {
         let circle = |n: usize, radius: &dyn Fn(usize) -> f64| {
