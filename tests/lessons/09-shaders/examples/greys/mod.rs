@@ -13,7 +13,8 @@ impl<const N: u8> Shader for Grey<N> {
     type Output = Color;
 
     fn position(&self, vertex: usize) -> Vec4 {
-        [Vec4::new(-1.0, -1.0, 0.0, 1.0), Vec4::new(3.0, -1.0, 0.0, 1.0), Vec4::new(-1.0, 3.0, 0.0, 1.0)][vertex]
+        [Vec4::new(-1.0, -1.0, 0.0, 1.0), Vec4::new(3.0, -1.0, 0.0, 1.0), Vec4::new(-1.0, 3.0, 0.0, 1.0)]
+            [vertex]
     }
 
     fn triangle(&self, _: usize) -> Option<()> {
