@@ -20,10 +20,10 @@ pub trait Layout: Copy {
     /// For so many columns and rows, at least 1 each.
     fn new(width: u32, height: u32) -> Self;
 
-    /// How many texels of memory they take.
-    fn len(self) -> usize;
+    /// How many texels of memory they take, padding counted.
+    fn texels(self) -> usize;
 
-    /// Where the texel (x, y) is, below [`len`](Self::len).
+    /// Where the texel (x, y) is, below [`texels`](Self::texels).
     fn place(self, x: u32, y: u32) -> usize;
 }
 
@@ -40,7 +40,7 @@ impl Layout for Rows {
         Self { width, height }
     }
 
-    fn len(self) -> usize {
+    fn texels(self) -> usize {
         self.width as usize * self.height as usize
     }
 
@@ -65,7 +65,7 @@ impl Layout for Tiles {
         Self { across: width.div_ceil(4), up: height.div_ceil(4) }
     }
 
-    fn len(self) -> usize {
+    fn texels(self) -> usize {
         16 * self.across as usize * self.up as usize
     }
 
@@ -94,7 +94,7 @@ impl Layout for Morton {
         Self { common: x.min(y), all: x + y }
     }
 
-    fn len(self) -> usize {
+    fn texels(self) -> usize {
         1 << self.all
     }
 
@@ -121,8 +121,11 @@ fn spread(n: u32) -> u32 {
 /// row's beginning up, and puts the `bilinear` colour of each into its place; the texture repeats.
 pub type Walk = Box<dyn Fn(Vec2, Footprint, usize, &mut [Color])>;
 
+/// Keeps a picture in one way, and returns how to walk over it.
+pub type Keep = fn(&Image) -> Walk;
+
 /// The ways to keep texels. All give the same colours.
-pub const LAYOUTS: &[Method<fn(&Image) -> Walk>] = &[
+pub const LAYOUTS: &[Method<Keep>] = &[
     Method {
         name: "rows",
         run: walk::<Rows>,

@@ -31,7 +31,7 @@ impl<L: Layout> Level<L> {
             return Self::new(&Image::new(1, 1, Format::Rgb), codes);
         }
         let layout = L::new(width as u32, height as u32);
-        let mut lines = vec![Line([Color::BLACK; 16]); layout.len().div_ceil(16)];
+        let mut lines = vec![Line([Color::BLACK; 16]); layout.texels().div_ceil(16)];
         for (x, y, color) in image.pixels() {
             let place = layout.place(x as u32, y as u32);
             lines[place / 16].0[place % 16] = color;
