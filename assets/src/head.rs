@@ -31,10 +31,10 @@ use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
 use common::Image;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::mesh::{Corner, Mesh};
-use atlas::{Chart, chart};
+use atlas::{Chart, SIZE, chart};
 use normals::Normals;
 use shape::{EYE, EYE_RADIUS, MOUTH, NOSE_BASE};
 use surface::Surface;
@@ -55,9 +55,13 @@ static BUST: LazyLock<Surface> = LazyLock::new(|| simplified(TRIANGLES));
 /// The bust in very few triangles, whose texels lie a little beyond the patches of the other.
 static LOW_BUST: LazyLock<Surface> = LazyLock::new(|| simplified(LOW_TRIANGLES));
 
+/// The normals in the maps among the assets.
+pub(super) static NORMALS: LazyLock<Normals> = LazyLock::new(|| fine_normals(1.0));
+
 /// The bust in about so many triangles.
 fn simplified(triangles: usize) -> Surface {
-    let mut bust = decimate::decimate(surface::surface(), triangles, importance);
+    static FINE: LazyLock<Surface> = LazyLock::new(surface::surface);
+    let mut bust = decimate::decimate(FINE.clone(), triangles, importance);
     for (p, &place) in bust.positions.iter_mut().zip(&bust.places) {
         for _ in 0..3 {
             *p = surface::settle(*p, place);
@@ -117,38 +121,40 @@ pub fn texture() -> Image {
     paint::paint(&texels(&BUST, from_axis), &texels(&LOW_BUST, from_axis))
 }
 
-/// The map of shares of a highlight.
+/// The map of shares of a highlight, half as wide and high as the texture.
 #[must_use]
 pub fn shine_map() -> Image {
-    shine::paint(&texels(&BUST, from_axis), &texels(&LOW_BUST, from_axis))
+    shine::paint(&texels(&BUST, from_axis), &texels(&LOW_BUST, from_axis)).scale(SIZE / 2, SIZE / 2)
 }
 
-/// The map of normals in object space, with this share of the relief. Of the ears, which share their patches, it has the left
-/// one's.
+/// The normals of the fine shape by texel, with this share of the relief that is in no mesh. Of the ears, which share their
+/// patches, they are the left one's.
 #[must_use]
-pub fn normal_map(relief: f64) -> Image {
-    fine_normals(relief).in_object_space()
-}
-
-/// The map of normals in the tangent space of [`model`], likewise.
-#[must_use]
-pub fn tangent_map(relief: f64) -> Image {
-    tangent_map_for(&BUST, relief)
-}
-
-/// The map of normals in the tangent space of [`low_model`], likewise.
-#[must_use]
-pub fn low_tangent_map(relief: f64) -> Image {
-    tangent_map_for(&LOW_BUST, relief)
-}
-
-fn tangent_map_for(surface: &Surface, relief: f64) -> Image {
-    let triangles: Vec<[Point; 3]> = bust(surface).chain(eye(1.0)).collect();
-    fine_normals(relief).in_tangent_space(&triangles, &Texels::of(&triangles, left_first))
-}
-
-fn fine_normals(relief: f64) -> Normals {
+pub fn fine_normals(relief: f64) -> Normals {
     Normals::of(&texels(&BUST, left_first), &texels(&LOW_BUST, left_first), relief)
+}
+
+/// The map of normals in object space.
+#[must_use]
+pub fn normal_map(normals: &Normals) -> Image {
+    normals.in_object_space()
+}
+
+/// The map of normals in the tangent space of [`model`].
+#[must_use]
+pub fn tangent_map(normals: &Normals) -> Image {
+    tangent_map_for(&BUST, normals)
+}
+
+/// The map of normals in the tangent space of [`low_model`], half as wide and high.
+#[must_use]
+pub fn low_tangent_map(normals: &Normals) -> Image {
+    tangent_map_for(&LOW_BUST, normals).scale(SIZE / 2, SIZE / 2)
+}
+
+fn tangent_map_for(surface: &Surface, normals: &Normals) -> Image {
+    let triangles: Vec<[Point; 3]> = bust(surface).chain(eye(1.0)).collect();
+    normals.in_tangent_space(&triangles, &Texels::of(&triangles, left_first))
 }
 
 /// What the texels show of a bust; of several points, that which is ranked highest.
@@ -180,7 +186,9 @@ fn bust(surface: &Surface) -> impl Iterator<Item = [Point; 3]> {
             // a triangle keeps its own normal.
             let bent = chart == Chart::Base || smooth[i].dot(flat) < 0.1;
             let normal = if bent { flat } else { smooth[i] };
-            Point { position, uv: chart.uv(position, (a + b + c) / 3.0), normal }
+            // A large triangle at the seam may reach a little beyond the texture.
+            let uv = chart.uv(position, (a + b + c) / 3.0).clamp(DVec2::ZERO, DVec2::ONE);
+            Point { position, uv, normal }
         };
         triangle.map(point)
     })

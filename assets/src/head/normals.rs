@@ -34,7 +34,7 @@ impl Normals {
     #[must_use]
     pub fn in_object_space(&self) -> Image {
         let mut map = Sheet::new(Format::Rgb);
-        map.fill(&self.0, |normal| color(*normal));
+        map.fill(&self.0, |normal| encoded(*normal));
         map.padded()
     }
 
@@ -45,7 +45,7 @@ impl Normals {
         for (x, y, texel) in texels.iter() {
             if let Some(normal) = self.0[index(x, y)] {
                 let [t, b, n] = frame(&triangles[texel.triangle], texel.normal);
-                map.set(x, y, color(DVec3::new(normal.dot(t), normal.dot(b), normal.dot(n))));
+                map.set(x, y, encoded(DVec3::new(normal.dot(t), normal.dot(b), normal.dot(n))));
             }
         }
         map.padded()
@@ -64,8 +64,8 @@ fn normal(Texel { position: p, normal, .. }: Texel, depth: f64) -> DVec3 {
 /// The directions in which u and v grow on a triangle, turned so that both are at right angles to a unit normal and to each
 /// other, and the normal.
 ///
-/// From the triangle's two sides as combinations of the two directions. Lengyel, *Foundations of Game Engine Development 2:
-/// Rendering* (2019), section 7.5.
+/// From the triangle's two sides as combinations of the two directions. Lengyel, "Mathematics for 3D Game Programming and
+/// Computer Graphics", 3rd edition (2012), section 7.8.
 fn frame(triangle: &[Point; 3], normal: DVec3) -> [DVec3; 3] {
     let [a, b, c] = triangle;
     let (p, q) = (b.position - a.position, c.position - a.position);
@@ -77,7 +77,8 @@ fn frame(triangle: &[Point; 3], normal: DVec3) -> [DVec3; 3] {
 }
 
 /// A unit vector as a texel.
-fn color(n: DVec3) -> Color {
+#[must_use]
+pub fn encoded(n: DVec3) -> Color {
     let [r, g, b] = n.to_array().map(|n| (128.0 + 127.0 * n.clamp(-1.0, 1.0)).round() as u8);
     Color::rgb(r, g, b)
 }

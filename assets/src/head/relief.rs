@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::noise::{bump, noise};
 use super::paint::{Strands, beard, brow, hair, lip};
-use super::shape::{BROW, EYE, EYE_HALF, eye_opening, step};
+use super::shape::{EYE, EYE_HALF, eye_opening, step};
 
 /// The unit normal of a surface of which `normal` is the unit normal at a point, once it is raised by `depth` times its
 /// [`height`].
@@ -26,7 +26,7 @@ fn height(p: DVec3) -> f64 {
     if let Some(Strands { cover, strand, fine, .. }) = hair(side, p) {
         // Towards the whorl strands are thinner, and so less high.
         let from = p - DVec3::new(0.03, 0.4, -0.25);
-        let thick = (from.x.hypot(from.z) / 0.3).min(1.0);
+        let thick = ((from.x * from.x + from.z * from.z).sqrt() / 0.3).min(1.0);
         hairs += cover * thick * (0.0032 * strand + 0.0007 * fine);
         bare -= cover;
     }
@@ -34,33 +34,21 @@ fn height(p: DVec3) -> f64 {
         hairs += 0.0022 * dense * hair;
         bare *= 1.0 - dense;
     }
-    let pores = 0.0004 * noise(p * 130.0) + 0.0007 * beard(side, p);
+    // Pores and stubble, which end on the neck.
+    let face = step((p.y + 0.62) / 0.12);
+    let pores = face * (0.0003 * noise(p * 130.0) + 0.0006 * beard(side, p));
     if let Some((on_lips, creases)) = lip(side, p) {
         return hairs + (pores * (1.0 - on_lips) + 0.0016 * on_lips * creases);
     }
-    hairs + bare * (pores - 0.0035 * crease(side, p))
+    hairs + bare * (pores - 0.0035 * crease(side))
 }
 
-/// How deep the skin is folded: over the upper lids, across the forehead.
-fn crease(side: DVec3, p: DVec3) -> f64 {
+/// How deep the skin is folded over the upper lids.
+fn crease(side: DVec3) -> f64 {
     let q = side - EYE;
     let u = q.x / EYE_HALF;
-    if q.z > 0.0 && q.y > 0.0 && u.abs() < 1.3 {
-        return bump((eye_opening(q) - 0.013) / 0.006) * step((1.25 - u.abs()) / 0.5);
-    }
-    let over = p.y - BROW;
-    if side.z < 0.2 || !(0.04..0.2).contains(&over) {
+    if q.z < 0.0 || q.y < 0.0 || u.abs() > 1.25 {
         return 0.0;
     }
-    // Three lines that waver, each with gaps.
-    let along = p.x + 0.02 * noise(DVec3::new(p.x * 9.0, p.y * 20.0, 1.0));
-    let waver = 0.016 * noise(DVec3::new(along * 12.0, 4.0, 0.0)) - 0.06 * side.x * side.x;
-    [0.062, 0.096, 0.13]
-        .into_iter()
-        .map(|line| {
-            let gaps = step(1.7 * noise(DVec3::new(along * 11.0, line * 200.0, 3.0)) - 0.35);
-            0.3 * gaps * bump((over + waver - line) / 0.007)
-        })
-        .sum::<f64>()
-        * step((0.19 - side.x) / 0.08)
+    bump((eye_opening(q) - 0.013) / 0.006) * step((1.25 - u.abs()) / 0.5)
 }
