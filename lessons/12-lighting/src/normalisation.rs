@@ -12,8 +12,8 @@
 use common::{Method, Vec3};
 
 use crate::Draw;
-use crate::power::Powf;
 use crate::light::{PointLight, Reflected};
+use crate::power::Powf;
 use crate::reflection::{Halfway, PointLit, Reflection};
 use crate::shader::per_pixel;
 
