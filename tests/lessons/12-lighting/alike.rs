@@ -4,7 +4,7 @@
 
 use checks::lamp::alike;
 use common::Vec3;
-use lighting::{PointLight, blinn_phong, phong};
+use lighting::{PointLight, Reflected, blinn_phong, phong};
 
 /// Phong's exponent, the degrees between light and eye, across their plane or in it; the best ratio, and how many of 255 grey
 /// levels the two curves then differ by at most.
@@ -62,4 +62,37 @@ fn with_four_times_the_exponent_the_models_agree() {
     };
     assert!((worst(best) - left).abs() < 1e-4, "{} instead of {left}", worst(best));
     assert!(worst(128.0) < 0.005 && worst(32.0) > 0.4, "{} {}", worst(128.0), worst(32.0));
+}
+
+/// Degrees between light and eye, the exponent, and by how many of 255 levels a white highlight jumps where the light just
+/// grazes the surface, on one side of which it is cut off: Phong's and Blinn's. The surface turns in the plane of the two.
+const EDGES: &[(f64, f32, f64, f64)] = &[
+    (60.0, 1.0, 0.0, 127.5),
+    (60.0, 8.0, 0.0, 1.0),
+    (90.0, 1.0, 0.0, 180.3),
+    (90.0, 8.0, 0.0, 15.9),
+    (90.0, 32.0, 0.0, 0.0),
+    (120.0, 8.0, 1.0, 80.7),
+    (120.0, 32.0, 0.0, 2.6),
+    (150.0, 32.0, 2.6, 84.1),
+    (150.0, 128.0, 0.0, 3.0),
+];
+
+#[test]
+fn a_highlight_ends_in_an_edge_where_the_light_just_grazes() {
+    for &(degrees, shininess, phongs, blinns) in EDGES {
+        let apart = degrees.to_radians();
+        let light = PointLight { position: Vec3::X * 1e3, specular: 1.0, shininess, ..PointLight::default() };
+        let eye = Vec3::new(apart.cos() as f32, apart.sin() as f32, 0.0) * 1e3;
+        let jump = |model: fn(Vec3, Vec3, Vec3, &PointLight) -> Reflected| {
+            let [lit, dark] =
+                [1e-5, -1e-5].map(|x| model(Vec3::ZERO, Vec3::new(x, 1.0, 0.0), eye, &light).highlight);
+            255.0 * f64::from(lit - dark)
+        };
+        let found = [jump(phong), jump(blinn_phong)];
+        assert!(
+            (found[0] - phongs).abs() < 0.06 && (found[1] - blinns).abs() < 0.06,
+            "{degrees}°, E = {shininess}: {found:?}"
+        );
+    }
 }

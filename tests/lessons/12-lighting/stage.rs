@@ -120,7 +120,7 @@ impl Stage {
     /// What is seen at each pixel: of what the triangles stand for, if for anything.
     fn seen(&self) -> Vec<Seen> {
         let Some(egg) = self.smooth else { return self.seen_of_triangles() };
-        let (screen, eye) = (self.screen(), self.eye.as_dvec3());
+        let (screen, eye) = (screen(), self.eye.as_dvec3());
         let at = |(x, y)| {
             let point = egg.hit(eye, screen.through(x, y))?;
             let normal = egg.normal(point).normalize();
@@ -133,7 +133,7 @@ impl Stage {
 
     /// What is seen of the triangles themselves, where no side is near, and normals do not cancel, which leaves no direction.
     fn seen_of_triangles(&self) -> Vec<Seen> {
-        let (screen, eye, faces) = (self.screen(), self.eye.as_dvec3(), self.faces());
+        let (screen, eye, faces) = (screen(), self.eye.as_dvec3(), self.faces());
         let nearest = |direction: DVec3| {
             let hits = faces.iter().enumerate().filter_map(|(n, face)| Some((n, face.hit(eye, direction)?)));
             hits.min_by(|a, b| a.1.0.total_cmp(&b.1.0))
@@ -149,10 +149,6 @@ impl Stage {
             (left && around.into_iter().all(near)).then_some(Seen { x, y, point, normal, face })
         };
         pixels().filter_map(at).collect()
-    }
-
-    fn screen(&self) -> Screen {
-        Screen::ahead(FOV.into(), DVec2::splat(SIDE.into()))
     }
 
     /// The lamp in `f64`.
@@ -191,8 +187,7 @@ impl Stage {
         let errors = seen.iter().map(|seen| {
             let Face { corners: [a, b, c], normals } = faces[seen.face];
             let lit = if at_corners {
-                let met =
-                    ray::hit([a, b, c].map(|corner| corner - eye), self.screen().through(seen.x, seen.y));
+                let met = ray::hit([a, b, c].map(|corner| corner - eye), screen().through(seen.x, seen.y));
                 let [p, q, r] = [on(a, normals[0]), on(b, normals[1]), on(c, normals[2])];
                 [0, 1].map(|n| met.weights.dot(DVec3::new(p[n], q[n], r[n])))
             } else {
@@ -212,6 +207,10 @@ struct Seen {
     normal: DVec3,
     /// The number of the triangle.
     face: usize,
+}
+
+fn screen() -> Screen {
+    Screen::ahead(FOV.into(), DVec2::splat(SIDE.into()))
 }
 
 fn pixels() -> impl Iterator<Item = (i32, i32)> {
