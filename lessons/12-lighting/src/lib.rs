@@ -17,12 +17,17 @@
 
 pub mod flags;
 pub mod light;
+pub mod looks;
+pub mod normal_map;
 pub mod normalisation;
 pub mod power;
 pub mod reflection;
 pub mod scene;
 pub mod shader;
+pub mod specular_map;
 pub mod surface;
+pub mod tangent;
+pub mod toon;
 
 use clipping::{Cull, Drawn, Mesh};
 use common::{Image, Lesson, Method, Table};
@@ -33,6 +38,7 @@ use reflection::{Halfway, Mirrored, PointLit};
 use shader::{PerCorner, PerTriangle, draw, per_pixel};
 
 pub use light::{Falloff, PointLight, Reflected};
+pub use looks::{LOOKS, Look, Maps};
 pub use normalisation::NORMALISATIONS;
 pub use power::POWERS;
 pub use reflection::{blinn_phong, phong};
@@ -48,6 +54,7 @@ pub const LESSON: Lesson = Lesson {
         Table { name: "", job: "Light a surface", rows: || Method::rows(METHODS) },
         Table { name: "normalisations", job: "Make a normal 1 long", rows: || Method::rows(NORMALISATIONS) },
         Table { name: "powers", job: "Raise a cosine to a power", rows: || Method::rows(POWERS) },
+        Table { name: "looks", job: "Choose what the surface brings", rows: || Method::rows(LOOKS) },
     ],
 };
 
