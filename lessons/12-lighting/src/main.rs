@@ -17,7 +17,8 @@ use perspective::view;
 use transforms::scale;
 
 #[derive(clap::Args)]
-#[command(mut_arg("eye", |arg| arg.default_value("0.9,0.3,2.6")))]
+#[command(mut_arg("eye", |arg| arg.default_value("0.55,0.35,2.35")))]
+#[command(mut_arg("center", |arg| arg.default_value("0,0.12,0")))]
 #[command(mut_arg("light", |arg| arg.hide(true)))]
 struct Flags {
     #[command(flatten)]
