@@ -2,6 +2,7 @@
 
 mod alike;
 mod levels;
+mod maps;
 mod properties;
 mod snapshots;
 mod stability;
