@@ -23,8 +23,8 @@ use crate::surface::{Shape, Smooth, Surface};
 #[must_use]
 pub fn tangents(positions: [Vec3; 3], uvs: [Vec2; 3]) -> Option<[DVec3; 2]> {
     // In f64 no product of two differences of f32 is infinite, and almost none is rounded to 0.
-    let [a, b, c] = positions.map(|p| p.as_dvec3());
-    let [i, j, k] = uvs.map(|uv| uv.as_dvec2());
+    let [a, b, c] = positions.map(Vec3::as_dvec3);
+    let [i, j, k] = uvs.map(Vec2::as_dvec2);
     let ((p, q), (s, t)): ((DVec3, DVec3), (DVec2, DVec2)) = ((b - a, c - a), (j - i, k - i));
     let determinant = s.perp_dot(t);
     let known = determinant.is_finite() && determinant != 0.0;
@@ -39,7 +39,7 @@ pub fn tangents(positions: [Vec3; 3], uvs: [Vec2; 3]) -> Option<[DVec3; 2]> {
 #[must_use]
 pub fn handed(positions: [Vec3; 3], uvs: [Vec2; 3], normals: [Vec3; 3]) -> Vec4 {
     let Some([tangent, bitangent]) = tangents(positions, uvs) else { return Vec4::ZERO };
-    let normal: DVec3 = normals.map(|n| n.as_dvec3()).iter().sum();
+    let normal: DVec3 = normals.map(Vec3::as_dvec3).iter().sum();
     let sign = normal.cross(tangent).dot(bitangent).signum();
     tangent.normalize_or_zero().extend(sign).as_vec4()
 }

@@ -1,19 +1,19 @@
 //! Looks that read maps: where each is right, and where it is not.
 
-use std::path::{Path, PathBuf};
-
 use assets::head::normals::encoded;
 use checks::lamp::{Face, Highlight, Lamp, level};
+use checks::picture::mean_difference;
 use checks::ray::Screen;
 use clipping::Cull;
 use clipping::mesh::indexed;
-use common::{Color, DVec2, DVec3, Format, Image, Mat4, Method, Model, Vec2, Vec3, Vec4Swizzles};
+use common::{Color, DVec2, DVec3, Format, Image, Mat4, Method, Model, Vec2, Vec3};
 use lighting::normal_map::decoded;
 use lighting::tangent::{handed, tangents, turned};
 use lighting::{LESSON, LOOKS, Look, Maps, PointLight, Scene};
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
 use proptest::prelude::*;
+use tempfile::tempdir;
 use textures::Wrap;
 use transforms::{affine, scale};
 use verify::stability::Must::{self, AtMost, Between};
@@ -426,6 +426,88 @@ fn what_is_encoded_is_decoded() {
     }
 }
 
+/// The small pictures of the program.
+const SMALL: [&str; 2] = ["--size", "200x200"];
+
+/// The head in few triangles, and its own maps.
+const LOW: [&str; 4] = [
+    "--model",
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../../../assets/head-low.obj"),
+    "--texture",
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../../../assets/head.tga"),
+];
+const LOW_TANGENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../assets/head-low-tangents.png");
+const TANGENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../assets/head-tangents.png");
+const OBJECT_NORMALS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../assets/head-normals.png");
+
+#[test]
+fn every_look_shows_the_head() {
+    for look in LOOKS {
+        assert_drawn(&LESSON, &format!("look-{}", look.name), &[&SMALL[..], &["--look", look.name]].concat());
+    }
+}
+
+#[test]
+fn a_map_gives_few_triangles_a_face() {
+    for (name, flags) in [
+        ("low-plain", &[][..]),
+        ("low-object-normals", &["--look", "object-normals", "--normal-map", OBJECT_NORMALS]),
+        ("low-tangent-normals", &["--look", "tangent-normals", "--normal-map", LOW_TANGENTS]),
+    ] {
+        assert_drawn(&LESSON, name, &[&SMALL[..], &LOW, flags].concat());
+    }
+}
+
+/// A flat map draws what is drawn without one, to a level: the head has triangles of any shape, and some without a tangent.
+#[test]
+fn a_flat_map_changes_nothing() {
+    let folder = tempdir().unwrap();
+    let flat = folder.path().join("flat.png");
+    Maps::default().normals.write(&flat).unwrap();
+    let plain = draw(LESSON.name, &SMALL);
+    let flags = ["--look", "tangent-normals", "--normal-map", flat.to_str().unwrap()];
+    let faults = checks::picture::faults(&plain, &draw(LESSON.name, &[&SMALL[..], &flags].concat()), 1);
+    assert!(faults.is_empty(), "{} {}", faults.len(), faults[0]);
+}
+
+/// The ears, which share a patch, alone: all else of the texture is black, and black shows no highlight.
+fn ears() -> [Image; 2] {
+    let mut texture = Image::new(1024, 1024, Format::Rgb);
+    // From the left edge of the one ear's front to the end of its back.
+    let patch = |x: i32, y: i32| (144..400).contains(&x) && y < 144;
+    let places = || (0..1024).flat_map(|y| (0..1024).map(move |x| (x, y)));
+    places().filter(|&(x, y)| patch(x, y)).for_each(|(x, y)| texture.set(x, y, Color::WHITE));
+    [texture.clone(), texture]
+}
+
+/// Both ears, each from its own side and with the light on it, by a look that reads this map: the mean difference of the one
+/// from the other's mirror image, in grey levels.
+fn ears_apart(look: &str, map: &str) -> f64 {
+    let folder = tempdir().unwrap();
+    let paths = ["texture.png", "shine.png"].map(|name| folder.path().join(name));
+    ears().iter().zip(&paths).for_each(|(image, path)| image.write(path).unwrap());
+    let [texture, shine] = paths.each_ref().map(|path| path.to_str().unwrap());
+    let seen = |side: &str| {
+        let [eye, light] = [format!("{side}1.6,0.1,0.8"), format!("{side}2,1.5,0.5")];
+        let place = ["--eye", &eye, "--light-at", &light, "--center", "0,0.2,0", "--fov", "25"];
+        let flags = ["--texture", texture, "--specular-map", shine, "--specular", "0", "--size", "400x400"];
+        draw(LESSON.name, &[&place[..], &flags, &["--look", look, "--normal-map", map]].concat())
+    };
+    let left = seen("");
+    let mut right = seen("-");
+    right.flip_horizontally();
+    let white = |image: &Image, x, y| image.get(x, y).is_some_and(|color| color.r > 0);
+    mean_difference(&left, &right, |x, y| white(&left, x, y) && white(&right, x, y))
+}
+
+/// One ear's normals are not the other's: in tangent space they are mirrored with their patch.
+#[test]
+fn ears_share_a_patch_in_tangent_space_alone() {
+    let [object, tangent] = [("object-normals", OBJECT_NORMALS), ("tangent-normals", TANGENTS)]
+        .map(|(look, map)| ears_apart(look, map));
+    assert!((56.0..60.0).contains(&object) && tangent < 0.1, "{object} {tangent}");
+}
+
 fn point() -> impl Strategy<Value = Vec3> {
     [-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0].prop_map(Vec3::from_array)
 }
@@ -435,7 +517,7 @@ fn triangle() -> impl Strategy<Value = ([Vec3; 3], [Vec2; 3], [Vec3; 3])> {
     let corners = ([point(), point(), point()], [point(), point(), point()], [point(), point(), point()]);
     let made = corners.prop_filter_map("it is a sliver", |(positions, uvs, leans)| {
         let [a, b, c] = positions;
-        let uvs = uvs.map(|uv| uv.truncate());
+        let uvs = uvs.map(Vec3::truncate);
         let [s, t] = [uvs[1] - uvs[0], uvs[2] - uvs[0]];
         let front = (b - a).cross(c - a);
         let whole = front.length() > 0.05 && s.perp_dot(t).abs() > 0.05;
@@ -459,7 +541,7 @@ proptest! {
     #[test]
     fn tangents_are_derivatives((positions, uvs, _) in triangle()) {
         let [along_u, along_v] = tangents(positions, uvs).unwrap();
-        let ([a, b, c], [i, j, k]) = (positions.map(|p| p.as_dvec3()), uvs.map(|uv| uv.as_dvec2()));
+        let ([a, b, c], [i, j, k]) = (positions.map(Vec3::as_dvec3), uvs.map(Vec2::as_dvec2));
         let ([p, q], [s, t]) = ([b - a, c - a], [j - i, k - i]);
         let area = s.perp_dot(t).abs();
         for (side, steps) in [(p, s), (q, t)] {
