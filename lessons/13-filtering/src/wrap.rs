@@ -51,8 +51,9 @@ impl Wrap {
     #[must_use]
     pub fn place(self, u: f32) -> f32 {
         match self {
-            // The larger of NaN and 0 is 0.
-            Self::Clamp => u.max(0.0).min(1.0),
+            // NaN is not above 0.
+            Self::Clamp if u > 0.0 => u.min(1.0),
+            Self::Clamp => 0.0,
             Self::Repeat => fraction(u),
             Self::Mirror => 2.0 * fraction(0.5 * u),
         }

@@ -3,7 +3,7 @@
 use checks::footprint::{Outside, Plane, Texture as Exactly, code};
 use checks::ray::Screen;
 use clipping::mesh::indexed;
-use clipping::{Cull, Mesh, SLABS};
+use clipping::{Cull, Drawn, Mesh, SLABS};
 use common::{Attributes, Color, DVec2, DVec3, Format, Image, Mat4, Model, Vec3, Vec4};
 use filtering::scene::fine;
 use filtering::{MIPMAPS, Surface, Texture, Wrap};
@@ -41,6 +41,9 @@ pub(crate) struct Floor {
     exactly: Exactly,
 }
 
+/// Draws surfaces.
+type Draw = fn(&[Surface], Cull, &mut Image) -> Drawn;
+
 /// A picture's red, green and blue, from 0 to 255, in rows from the bottom; none where not all of a pixel is floor.
 pub(crate) type Picture = Vec<Option<[f64; 3]>>;
 
@@ -58,7 +61,7 @@ impl Floor {
     }
 
     /// What a way to draw makes of it, in a square picture.
-    pub(crate) fn drawn(&self, eye: Eye, side: u16, draw: impl Fn(&[Surface], Cull, &mut Image)) -> Picture {
+    pub(crate) fn drawn(&self, eye: Eye, side: u16, draw: Draw) -> Picture {
         let to_clip = perspective(FOV, 1.0, 0.1, 100.0).unwrap() * look(eye);
         let Self { model, mesh, normals, texture, .. } = self;
         let uniforms = Uniforms { normals, light: Vec3::Y, to_clip, ..Uniforms::new(model) };

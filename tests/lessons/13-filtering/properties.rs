@@ -378,7 +378,6 @@ fn a_filter_is_given_the_footprint_of_its_pixel() {
         let mut image = Image::new(SIDE as u16, SIDE as u16, Format::Rgb);
         let counts =
             render(&shader, &mesh, Cull::None, Clipping::GuardBand, &mut Framebuffer::new(&mut image, ZF32));
-        drop(shader);
         for (uv, got) in kept.into_inner() {
             // Which pixel it is, (u, v) tell.
             let point = plane.origin + plane.u * f64::from(uv.x) + plane.v * f64::from(uv.y);

@@ -3,8 +3,8 @@ use verify::{CRATE, assert_drawn, assert_each_drawn};
 
 const SIZE: [&str; 2] = ["--size", "200x200"];
 
-/// A wooden box from so near that its texels are four pixels wide and more.
-const NEAR: [&str; 12] = [
+/// A wooden box from so near that its texels are four pixels wide.
+const NEAR: [&str; 14] = [
     "--size",
     "160x160",
     "--model",
@@ -14,9 +14,11 @@ const NEAR: [&str; 12] = [
     "--eye",
     "0.8,0.75,1.45",
     "--center",
-    "0.55,0.4,0.5",
+    "0.5,0.43,0.5",
     "--fov",
-    "20",
+    "7",
+    "--light",
+    "0.6,0.4,0.7",
 ];
 
 #[test]

@@ -104,7 +104,7 @@ fn levels_are_made_as_asked_for() {
     let folder = tempdir().unwrap();
     std::fs::write(
         folder.path().join("a.obj"),
-        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 64 0\nvt 64 64\nvt 0 64\nf 1/1 2/2 3/3 4/4\n",
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 256 0\nvt 256 256\nvt 0 256\nf 1/1 2/2 3/3 4/4\n",
     )
     .unwrap();
     let mut texture = Image::new(2, 2, Format::Rgb);

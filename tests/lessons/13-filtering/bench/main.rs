@@ -152,7 +152,8 @@ fn mipmaps(c: &mut Criterion) {
 
 fn layouts(c: &mut Criterion) {
     let mut group = c.benchmark_group("layouts");
-    let mut colors = vec![Color::BLACK; 256 * 256];
+    // Rows so long that up a column of a large texture no line of memory is still in the cache when it is needed again.
+    let mut colors = vec![Color::BLACK; 32 * 4096];
     group.throughput(Throughput::Elements(colors.len() as u64));
     for side in [64, 512, 4096] {
         let mut image = canvas(side);
@@ -164,7 +165,7 @@ fn layouts(c: &mut Criterion) {
                 let along = Vec2::from_angle(degrees.to_radians()) / f32::from(side);
                 let step = Footprint { x: along, y: along.perp() };
                 let id = BenchmarkId::new(row.name, format!("{side}-{degrees}"));
-                group.bench_function(id, |b| b.iter(|| walk(Vec2::ZERO, step, 256, &mut colors)));
+                group.bench_function(id, |b| b.iter(|| walk(Vec2::ZERO, step, 4096, &mut colors)));
             }
         }
     }
