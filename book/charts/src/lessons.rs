@@ -14,6 +14,8 @@ pub(crate) mod camera;
 pub(crate) mod clipping;
 #[path = "../../lessons/06-gouraud/mod.rs"]
 pub(crate) mod gouraud;
+#[path = "../../lessons/12-lighting/mod.rs"]
+pub(crate) mod lighting;
 #[path = "../../lessons/01-lines/mod.rs"]
 pub(crate) mod lines;
 #[path = "../../lessons/10-perspective/mod.rs"]
@@ -44,6 +46,7 @@ pub const LESSONS: &[Lesson] = &[
     shaders::LESSON,
     perspective::LESSON,
     clipping::LESSON,
+    lighting::LESSON,
 ];
 
 /// What the book shows of a lesson.

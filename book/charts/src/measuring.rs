@@ -14,6 +14,7 @@ mod finding;
 mod finish;
 mod frontier;
 mod head;
+mod lit;
 mod machine;
 pub(crate) mod measure;
 pub(crate) mod models;
@@ -60,8 +61,14 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: [Comparison; 5] =
-    [far::COMPARISON, savings::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
+const COMPARISONS: [Comparison; 6] = [
+    far::COMPARISON,
+    savings::COMPARISON,
+    lit::COMPARISON,
+    needs::COMPARISON,
+    head::COMPARISON,
+    finish::COMPARISON,
+];
 
 /// Charts: what is behind the name of each file, and the SVG.
 type Pictures = Vec<(String, String)>;
