@@ -152,7 +152,7 @@ const FOV: f32 = 34.0;
 
 /// A scene with a model in the middle.
 fn scene(loaded: &Loaded, light: PointLight) -> Scene<'_> {
-    let camera = camera(EYE, FOV).expect("it looks somewhere");
+    let camera = camera((EYE, Vec3::ZERO, FOV)).expect("it looks somewhere");
     Scene::placed(loaded, Mat4::IDENTITY, camera, EYE, light).expect("it is not flat")
 }
 

@@ -6,6 +6,9 @@ use anyhow::Context;
 use clipping::mesh::indexed;
 use clipping::{Clipping, Cull, Mesh};
 use common::{Attributes, Color, Image, Mat3, Mat4, Vec2, Vec3};
+use lighting::reflection::Reflection;
+use lighting::shader::{PerPixel, draw};
+use lighting::surface::Smooth;
 use lighting::{
     Draw, Falloff, METHODS, NORMALISATIONS, POWERS, PointLight, Reflected, Scene, blinn_phong, phong,
 };
@@ -82,14 +85,15 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "lighting-swims",
-        "Five pictures of a ball of few triangles, in two rows. In the upper one the highlight is bright, then weak, then \
-         split in two, and bright again; in the lower one it is the same round spot in all five.",
+        "Five pictures of a turning ball of few triangles, in two rows. In the upper one the highlight is weak and wide, \
+         becomes a bright hexagon, moves to the right with it and fades; in the lower one it is the same round spot in all \
+         five.",
         swims,
     ),
     Figure::new(
         "lighting-brightest",
         "The brightest pixel of a highlight against the angle by which a ball has turned: level for blinn-phong, and for \
-         phong-vertex a chain of arches that goes up and down three times.",
+         phong-vertex a chain of three arches that reach it from far below.",
         brightest,
     ),
     Figure::new(
@@ -99,7 +103,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "lighting-inverse-root",
-        "The product of √x and its inverse root from x = 1 to 4: without a step three arches between 0.966 and 1.034, \
+        "The product of √x and its inverse root from x = 1 to 4: without a step two arches between 0.966 and 1.034, \
          with one step nearly straight, and just below 1.",
         inverse_root,
     ),
@@ -134,10 +138,24 @@ pub(crate) const FIGURES: &[Figure] = &[
          4 at a fainter one; with 32 no edge is seen.",
         behind,
     ),
+    Figure::new(
+        "lighting-short",
+        "A ball of few triangles with a round highlight, and the same ball with a dim square in its place.",
+        short,
+    ),
+    Figure::new(
+        "lighting-leak",
+        "A ball with the lamp behind it, lit along its right rim, and the same ball with a glow on its dark side.",
+        leak,
+    ),
 ];
 
-/// The eye of the lesson's program.
-pub(crate) const EYE: Vec3 = Vec3::new(0.9, 0.3, 2.6);
+/// From where something is seen: the eye, what it looks at, and the field of view in degrees.
+pub(crate) type Seen = (Vec3, Vec3, f32);
+/// As the lesson's program sees the head.
+pub(crate) const SEEN: Seen = (Vec3::new(0.55, 0.35, 2.35), Vec3::new(0.0, 0.12, 0.0), 45.0);
+/// A ball from the front.
+const FRONT: Seen = (Vec3::new(0.0, 0.0, 3.6), Vec3::ZERO, 34.0);
 /// All that the shaders need.
 pub(crate) const ALL: Attributes = Attributes { normals: true, uvs: true };
 /// What a ball is made of.
@@ -161,9 +179,9 @@ fn of_ball(sectors: usize, color: Color) -> anyhow::Result<Subject> {
     Ok(subject(ball(sectors / 2, sectors)?, painted(1, 1, |_, _| color)))
 }
 
-/// To clip space from an eye that looks at the origin, for a square picture.
-pub(crate) fn camera(eye: Vec3, fov: f32) -> anyhow::Result<Mat4> {
-    let view = view(eye, Vec3::ZERO, Vec3::Y).context("the eye is at the centre")?;
+/// To clip space, for a square picture.
+pub(crate) fn camera((eye, center, fov): Seen) -> anyhow::Result<Mat4> {
+    let view = view(eye, center, Vec3::Y).context("the eye is at the centre")?;
     Ok(perspective(fov, 1.0, 0.1, 100.0)? * view)
 }
 
@@ -171,12 +189,12 @@ pub(crate) fn camera(eye: Vec3, fov: f32) -> anyhow::Result<Mat4> {
 fn lit(
     (loaded, mesh): &Subject,
     to_world: Mat4,
-    (eye, fov): (Vec3, f32),
+    seen: Seen,
     light: PointLight,
     draw: Draw,
     side: u16,
 ) -> anyhow::Result<Image> {
-    let scene = Scene::placed(loaded, to_world, camera(eye, fov)?, eye, light).context("it is not flat")?;
+    let scene = Scene::placed(loaded, to_world, camera(seen)?, seen.0, light).context("it is not flat")?;
     let mut image = canvas(3 * side);
     draw(&scene, mesh, Cull::Back, &mut image);
     Ok(image.scale(side, side))
@@ -187,9 +205,9 @@ fn head() -> anyhow::Result<Drawing> {
     // As lesson 11 draws it, from the same side.
     let mut before = canvas(1350);
     let light = PointLight::default();
-    let uniforms = head.0.uniforms(light.position.normalize(), camera(EYE, 45.0)?);
+    let uniforms = head.0.uniforms(light.position.normalize(), camera(SEEN)?);
     clipping::draw(&[(uniforms, &head.1)], Cull::Back, Clipping::GuardBand, &mut before);
-    let after = lit(&head, Mat4::IDENTITY, (EYE, 45.0), light, *method(METHODS, "blinn-phong")?, 450)?;
+    let after = lit(&head, Mat4::IDENTITY, SEEN, light, *method(METHODS, "blinn-phong")?, 450)?;
     beside([&before.scale(450, 450), &after])
 }
 
@@ -204,7 +222,7 @@ fn parts() -> anyhow::Result<Drawing> {
         light,
     ];
     let draw = *method(METHODS, "blinn-phong")?;
-    all_beside(lights.map(|light| lit(&head, Mat4::IDENTITY, (EYE, 43.0), light, draw, 300)))
+    all_beside(lights.map(|light| lit(&head, Mat4::IDENTITY, SEEN, light, draw, 300)))
 }
 
 fn lambert() -> anyhow::Result<Drawing> {
@@ -444,10 +462,11 @@ fn stretched() -> anyhow::Result<Drawing> {
 /// A ball of half its height, with its normals by M alone, and by the inverse transpose.
 pub(crate) fn stretched_pictures(side: u16) -> anyhow::Result<[Image; 2]> {
     let (loaded, mesh) = of_ball(96, ENAMEL)?;
-    let (eye, fov) = (Vec3::new(0.0, 0.9, 3.4), 40.0);
+    let eye = Vec3::new(0.0, 0.9, 3.4);
     let light = PointLight { position: Vec3::new(2.2, 2.2, 2.4), ..PointLight::default() };
     let flat = scale(Vec3::new(1.0, 0.5, 1.0));
-    let right = Scene::placed(&loaded, flat, camera(eye, fov)?, eye, light).context("it is not flat")?;
+    let right = Scene::placed(&loaded, flat, camera((eye, Vec3::ZERO, 40.0))?, eye, light)
+        .context("it is not flat")?;
     let wrong = Scene { normals_to_world: Mat3::from_mat4(flat), ..right };
     let draw = method(METHODS, "blinn-phong")?;
     let picture = |scene: Scene| {
@@ -481,8 +500,8 @@ fn chord() -> anyhow::Result<Drawing> {
     sheet.finish()
 }
 
-/// Where the turning ball is seen from, how wide, and where its lamp is.
-const TURNING: (Vec3, f32, Vec3) = (Vec3::new(0.0, 0.0, 3.6), 34.0, Vec3::new(1.6, 0.0, 4.0));
+/// Where the turning ball's lamp is.
+const BESIDE: Vec3 = Vec3::new(1.6, 0.0, 4.0);
 
 /// The turning ball of 16 sectors by one method, after a share of a sector.
 fn turning(
@@ -491,10 +510,10 @@ fn turning(
     sectors: f32,
     side: u16,
 ) -> anyhow::Result<Image> {
-    let (eye, fov, position) = TURNING;
-    let light = PointLight { position, shininess, diffuse: 0.45, specular: 0.55, ..PointLight::default() };
+    let light =
+        PointLight { position: BESIDE, shininess, diffuse: 0.45, specular: 0.55, ..PointLight::default() };
     let turn = Mat4::from_mat3(rotate_y(sectors * 360.0 / 16.0));
-    lit(subject, turn, (eye, fov), light, *method(METHODS, name)?, side)
+    lit(subject, turn, FRONT, light, *method(METHODS, name)?, side)
 }
 
 /// Both models, with exponents that make their highlights alike.
@@ -613,7 +632,7 @@ fn power_ways() -> anyhow::Result<Drawing> {
 
 fn looks() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 225;
-    let subjects = [(of_ball(16, ENAMEL)?, (Vec3::new(0.0, 0.5, 3.6), 34.0)), (of_head()?, (EYE, 43.0))];
+    let subjects = [(of_ball(16, ENAMEL)?, (Vec3::new(0.0, 0.5, 3.6), Vec3::ZERO, 34.0)), (of_head()?, SEEN)];
     let mut sheet = Image::new(4 * SIDE, 2 * SIDE, common::Format::Rgb);
     for (row, (subject, seen)) in subjects.iter().enumerate() {
         for (column, method) in METHODS.iter().enumerate() {
@@ -628,7 +647,7 @@ fn looks() -> anyhow::Result<Drawing> {
 /// A ball from the front with the lamp above on the right, by one way to draw, and a part of it if that is asked for.
 fn ball_by(draw: Draw, sectors: usize, light: PointLight, fov: f32) -> anyhow::Result<Image> {
     let subject = of_ball(sectors, ENAMEL)?;
-    lit(&subject, Mat4::IDENTITY, (Vec3::new(0.0, 0.0, 3.6), fov), light, draw, 180)
+    lit(&subject, Mat4::IDENTITY, (FRONT.0, FRONT.1, fov), light, draw, 180)
 }
 
 fn rows() -> anyhow::Result<Drawing> {
@@ -653,6 +672,44 @@ fn behind() -> anyhow::Result<Drawing> {
     let position = 4.0 * Vec3::new((0.68 * PI).sin(), 0.15, (0.68 * PI).cos());
     all_beside([1.0, 4.0, 32.0].map(|shininess| {
         let light = PointLight { position, shininess, ..PointLight::default() };
-        lit(&subject, Mat4::IDENTITY, (Vec3::new(0.0, 0.0, 3.6), 34.0), light, draw, 300)
+        lit(&subject, Mat4::IDENTITY, FRONT, light, draw, 300)
     }))
+}
+
+fn short() -> anyhow::Result<Drawing> {
+    let light = PointLight { position: Vec3::new(1.2, 1.2, 4.0), ..PointLight::default() };
+    let subject = of_ball(16, ENAMEL)?;
+    all_beside(["exact", "never"].map(|name| {
+        let draw = method(NORMALISATIONS, name)?.draw;
+        lit(&subject, Mat4::IDENTITY, FRONT, light, draw, 440)
+    }))
+}
+
+/// Blinn's model with a fault: nobody asks whether the light is behind the surface.
+struct Leaking(PointLight);
+
+impl Reflection for Leaking {
+    fn new(light: &PointLight) -> Self {
+        Self(*light)
+    }
+
+    fn reflect(&self, point: Vec3, normal: Vec3, eye: Vec3) -> Reflected {
+        let PointLight { position, ambient, diffuse, specular, shininess, .. } = self.0;
+        let [n, l, v] = [normal, position - point, eye - point].map(Vec3::normalize_or_zero);
+        let half = (l + v).normalize_or_zero();
+        Reflected {
+            body: ambient + diffuse * n.dot(l).max(0.0),
+            highlight: specular * n.dot(half).max(0.0).powf(shininess),
+        }
+    }
+}
+
+fn leak() -> anyhow::Result<Drawing> {
+    let subject = of_ball(96, ENAMEL)?;
+    let position = 4.0 * Vec3::new((0.72 * PI).sin(), 0.15, (0.72 * PI).cos());
+    let light = PointLight { position, shininess: 16.0, ..PointLight::default() };
+    let ways: [Draw; 2] = [*method(METHODS, "blinn-phong")?, |scene, mesh, cull, image| {
+        draw(&PerPixel::<Leaking>::new(scene, Smooth), mesh, cull, image)
+    }];
+    all_beside(ways.map(|way| lit(&subject, Mat4::IDENTITY, FRONT, light, way, 440)))
 }

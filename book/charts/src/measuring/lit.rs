@@ -12,7 +12,7 @@ use super::digits::three_digits;
 use super::measure::Work;
 use super::models::scene_model;
 use super::{Comparison, Run};
-use crate::lessons::lighting::figures::{ALL, EYE, best_ratio, camera, stretched_pictures};
+use crate::lessons::lighting::figures::{ALL, SEEN, best_ratio, camera, stretched_pictures};
 
 pub(super) const COMPARISON: Comparison =
     Comparison { name: "12-lighting-pictures", works, measure, draw: |_| Ok(Vec::new()) };
@@ -33,9 +33,9 @@ fn works(_: usize) -> anyhow::Result<Vec<Work>> {
     let (_, model, texture) = scene_model()?;
     let head: &Loaded = Box::leak(Box::new(Loaded::new(model.clone(), texture.clone(), Wrap::Clamp)));
     let mesh = indexed(&head.model, &head.normals, ALL);
-    let camera = camera(EYE, 45.0)?;
+    let camera = camera(SEEN)?;
     let work = |(_, draw): (&str, Draw)| {
-        let scene = Scene::placed(head, Mat4::IDENTITY, camera, EYE, PointLight::default());
+        let scene = Scene::placed(head, Mat4::IDENTITY, camera, SEEN.0, PointLight::default());
         let (scene, mesh) = (scene.expect("it is not flat"), mesh.clone());
         let mut image = Image::new(SIDE, SIDE, Format::Rgb);
         Work::new(1.0, move || draw(&scene, &mesh, Cull::Back, &mut image).counts)
