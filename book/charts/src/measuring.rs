@@ -16,6 +16,7 @@ mod frontier;
 mod head;
 mod lit;
 mod machine;
+mod maps;
 pub(crate) mod measure;
 pub(crate) mod models;
 mod needs;
@@ -61,10 +62,11 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: [Comparison; 6] = [
+const COMPARISONS: [Comparison; 7] = [
     far::COMPARISON,
     savings::COMPARISON,
     lit::COMPARISON,
+    maps::COMPARISON,
     needs::COMPARISON,
     head::COMPARISON,
     finish::COMPARISON,

@@ -42,7 +42,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
         error: Quantity {
             name: "largest difference, sphere of 5,000 triangles",
             unit: "grey levels of 255",
-            limit: (1.0, "1 level"),
+            limit: (2.0, "2 levels"),
         },
         measure: method_stability,
     },

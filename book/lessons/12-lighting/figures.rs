@@ -1,6 +1,7 @@
 //! Chapter 12: a point light.
 
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, LN_2, PI, TAU};
+use std::path::Path;
 
 use anyhow::Context;
 use clipping::mesh::indexed;
@@ -9,8 +10,10 @@ use common::{Attributes, Color, Image, Mat3, Mat4, Vec2, Vec3};
 use lighting::reflection::Reflection;
 use lighting::shader::{PerPixel, draw};
 use lighting::surface::Smooth;
+use lighting::tangent::{tangents, turned};
 use lighting::{
-    Draw, Falloff, METHODS, NORMALISATIONS, POWERS, PointLight, Reflected, Scene, blinn_phong, phong,
+    Draw, Falloff, LOOKS, METHODS, Maps, NORMALISATIONS, POWERS, PointLight, Reflected, Scene, blinn_phong,
+    phong,
 };
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
@@ -137,6 +140,42 @@ pub(crate) const FIGURES: &[Figure] = &[
         "A ball with the light from behind, three times. With the exponent 1 a broad highlight ends at a sharp edge; with \
          4 at a fainter one; with 32 no edge is seen.",
         behind,
+    ),
+    Figure::new(
+        "lighting-map",
+        "Two square pictures of patches. On the left they are of all colours of the rainbow; on the right nearly all is of \
+         one light blue, in which finer lines are seen.",
+        maps,
+    ),
+    Figure::new(
+        "lighting-tangents",
+        "A triangle twice: in the plane of u and v with a grid, and in space, where the grid is slanted and stretched. \
+         There arrows T and B lead along its lines.",
+        tangents_of_a_triangle,
+    ),
+    Figure::new(
+        "lighting-mirrored",
+        "A wall with eight round bosses, lit from the left, whose right half is the mirror image of its left. In the upper \
+         picture all are lit from the upper left; in the lower one those of the right half are lit from below.",
+        mirrored,
+    ),
+    Figure::new(
+        "lighting-few",
+        "A head three times: coarse, with edges at its cheek and chin; the same outline with a smooth, detailed face; and \
+         the same face with a smooth outline.",
+        few,
+    ),
+    Figure::new(
+        "lighting-ear",
+        "The right side of a head twice. On the left the ear is all dark, in the midst of lit hair and cheek; on the right its \
+         rim shines.",
+        ear,
+    ),
+    Figure::new(
+        "lighting-surfaces",
+        "A head five times: smooth; twice with fine hair and pores; with dull skin and shining lips and eyes; and as a \
+         cartoon in a few tones inside a black line, on white.",
+        surfaces,
     ),
     Figure::new(
         "lighting-short",
@@ -712,4 +751,167 @@ fn leak() -> anyhow::Result<Drawing> {
         draw(&PerPixel::<Leaking>::new(scene, Smooth), mesh, cull, image)
     }];
     all_beside(ways.map(|way| lit(&subject, Mat4::IDENTITY, FRONT, light, way, 440)))
+}
+
+/// A picture of the course's assets.
+fn asset(name: &str) -> anyhow::Result<Image> {
+    Ok(Image::read(&Path::new(ASSETS).join(name))?)
+}
+
+const ASSETS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets");
+
+/// The head in 638 triangles.
+fn of_low_head() -> anyhow::Result<Subject> {
+    let model = common::Model::read(&Path::new(ASSETS).join("head-low.obj"), ALL)?;
+    Ok(subject(model, texture()?))
+}
+
+/// A subject by one of the looks, with these maps.
+pub(crate) fn looking(
+    (loaded, mesh): &Subject,
+    seen: Seen,
+    light: PointLight,
+    (name, maps): (&str, &Maps),
+    side: u16,
+) -> anyhow::Result<Image> {
+    let scene =
+        Scene::placed(loaded, Mat4::IDENTITY, camera(seen)?, seen.0, light).context("it is not flat")?;
+    let mut image = canvas(3 * side);
+    (method(LOOKS, name)?.draw)(&scene, maps, mesh, Cull::Back, &mut image);
+    Ok(image.scale(side, side))
+}
+
+/// The head's maps for a look.
+fn maps_of(name: &str) -> anyhow::Result<Maps> {
+    let look = method(LOOKS, name)?;
+    let Maps { normals, shine } = Maps::default();
+    let read = |file: Option<&str>, otherwise: Image| -> anyhow::Result<Image> {
+        file.map_or(Ok(otherwise), |file| Ok(Image::read(Path::new(file))?))
+    };
+    Ok(Maps { normals: read(look.normals, normals)?, shine: read(look.shine, shine)? })
+}
+
+fn maps() -> anyhow::Result<Drawing> {
+    let maps = ["head-normals.png", "head-tangents.png"].map(|name| Ok(asset(name)?.scale(440, 440)));
+    all_beside(maps)
+}
+
+fn tangents_of_a_triangle() -> anyhow::Result<Drawing> {
+    let at = Vec2::new;
+    let mut sheet = Sheet::new((-0.6, -1.05), (11.4, 4.5));
+    // In the plane of (u, v), and in space, seen straight from before it.
+    let uvs = [at(0.2, 0.15), at(0.85, 0.3), at(0.4, 0.9)];
+    let places = [at(6.0, 0.2), at(10.4, -0.2), at(8.6, 3.6)];
+    let flat = uvs.map(|uv| uv * 4.0);
+    sheet.arrow((0.0, 0.0), (4.4, 0.0), GREY);
+    sheet.arrow((0.0, 0.0), (0.0, 4.3), GREY);
+    sheet.text((4.45, -0.4), "u", GREY);
+    sheet.text((-0.35, 4.2), "v", GREY);
+    let [t, b] = tangents(places.map(|p| p.extend(0.0)), uvs).context("the triangle has an area")?;
+    // They are as long as they are for a patch of the triangle's area.
+    let area = f64::from((uvs[1] - uvs[0]).perp_dot(uvs[2] - uvs[0]));
+    let [t, b] = [t, b].map(|side| (side / area).as_vec3().truncate());
+    let place = |uv: Vec2| places[0] + (uv.x - uvs[0].x) * t + (uv.y - uvs[0].y) * b;
+    sheet.polygon(&flat, PALE, BLACK);
+    sheet.polygon(&places, PALE, BLACK);
+    for n in 0..=5 {
+        let share = n as f32 * 0.2;
+        for [from, to] in [[at(share, 0.0), at(share, 1.0)], [at(0.0, share), at(1.0, share)]] {
+            sheet.line(from * 4.0, to * 4.0, FAINT, 1.4);
+            // Of the grid on the triangle only what lies on it.
+            let inside: Vec<Vec2> = (0..=100)
+                .map(|step| from.lerp(to, step as f32 / 100.0))
+                .filter(|uv| {
+                    let side = |n: usize| (uvs[(n + 1) % 3] - uvs[n]).perp_dot(uv - uvs[n]) >= 0.0;
+                    side(0) && side(1) && side(2)
+                })
+                .map(place)
+                .collect();
+            if let [first, .., last] = inside[..] {
+                sheet.line(first, last, FAINT, 1.4);
+            }
+        }
+    }
+    for (n, (uv, place)) in flat.into_iter().zip(places).enumerate() {
+        let name = ["0", "1", "2"][n];
+        let away = [at(-0.3, -0.25), at(0.3, -0.2), at(0.0, 0.35)][n];
+        for at in [uv, place] {
+            sheet.dot(at, BLACK);
+            sheet.text(at + away, name, BLACK);
+        }
+    }
+    let foot = at(0.42, 0.42);
+    for (step, name, ink) in [(at(0.2, 0.0), "T", ORANGE), (at(0.0, 0.2), "B", BLUE)] {
+        sheet.arrow(foot * 4.0, (foot + step) * 4.0, ink);
+        sheet.arrow(place(foot), place(foot + step), ink);
+        sheet.text(place(foot + step * 1.35), name, ink);
+    }
+    sheet.text((2.0, -0.85), "the map", GREY);
+    sheet.text((8.4, -0.85), "the triangle", GREY);
+    sheet.finish()
+}
+
+/// Round bosses in tangent space, four to a square; (u, v) from 0 to 2 and 0 to 1.
+fn boss(uv: Vec2) -> Vec3 {
+    let from_middle = (uv * 2.0).fract() - 0.5;
+    let slope = 0.42 - from_middle.length();
+    // A cap of a ball: it leans outwards, and ends at a rim.
+    if slope > 0.0 { (from_middle * 1.7).extend(1.0).normalize() } else { Vec3::Z }
+}
+
+fn mirrored() -> anyhow::Result<Drawing> {
+    let light = PointLight { position: Vec3::new(-2.0, 1.2, 1.2), shininess: 24.0, ..PointLight::default() };
+    let eye = Vec3::new(1.0, 0.5, 3.0);
+    // The wall from (0, 0) to (2, 1); on its right half u runs back.
+    let picture = |asked: bool| {
+        painted(900, 225, |x, y| {
+            let wide = at_pixel(x, y) / 225.0;
+            let (point, back) = (Vec3::new(wide.x / 2.0, wide.y / 2.0, 0.0), wide.x > 2.0);
+            let uv = if back { Vec2::new(4.0 - wide.x, wide.y) } else { wide };
+            let tangent = if back { Vec3::NEG_X } else { Vec3::X };
+            let handed = if back && asked { -1.0 } else { 1.0 };
+            let normal = turned(boss(uv / 2.0), tangent.extend(handed), Vec3::Z);
+            blinn_phong(point, normal, eye, &light).color(Color::rgb(0xc9, 0x9a, 0x5b))
+        })
+    };
+    let mut both = Image::new(900, 454, common::Format::Rgb);
+    paste(&picture(true), &mut both, [0, 229]);
+    paste(&picture(false), &mut both, [0, 0]);
+    Ok(Drawing::Pixels(both, 1))
+}
+
+fn at_pixel(x: i32, y: i32) -> Vec2 {
+    Vec2::new(x as f32 + 0.5, y as f32 + 0.5)
+}
+
+/// From near, so that the outline of the cheek is seen.
+const NEAR: Seen = (Vec3::new(0.55, 0.35, 2.35), Vec3::new(0.0, 0.28, 0.0), 30.0);
+
+fn few() -> anyhow::Result<Drawing> {
+    let low = of_low_head()?;
+    let text = assets::head::model_of(22_400).to_obj();
+    let fine = subject(crate::figures::shape::parsed(&text)?, texture()?);
+    let map = Maps { normals: asset("head-low-tangents.png")?, ..Maps::default() };
+    let none = Maps::default();
+    let light = PointLight { specular: 0.25, diffuse: 0.6, ..PointLight::default() };
+    all_beside(
+        [(&low, "plain", &none), (&low, "tangent-normals", &map), (&fine, "plain", &none)]
+            .map(|(subject, name, maps)| looking(subject, NEAR, light, (name, maps), 300)),
+    )
+}
+
+fn ear() -> anyhow::Result<Drawing> {
+    let head = of_head()?;
+    let seen = (Vec3::new(-2.3, 0.2, 0.5), Vec3::new(-0.3, 0.16, -0.1), 17.0);
+    let light = PointLight { position: Vec3::new(-2.0, 1.2, 1.6), ..PointLight::default() };
+    all_beside(
+        ["object-normals", "tangent-normals"]
+            .map(|name| looking(&head, seen, light, (name, &maps_of(name)?), 440)),
+    )
+}
+
+fn surfaces() -> anyhow::Result<Drawing> {
+    let head = of_head()?;
+    let light = PointLight::default();
+    all_beside(LOOKS.iter().map(|row| looking(&head, NEAR, light, (row.name, &maps_of(row.name)?), 300)))
 }
