@@ -767,7 +767,7 @@ fn of_low_head() -> anyhow::Result<Subject> {
 }
 
 /// A subject by one of the looks, with these maps.
-pub(crate) fn looking(
+fn looking(
     (loaded, mesh): &Subject,
     seen: Seen,
     light: PointLight,
@@ -782,7 +782,7 @@ pub(crate) fn looking(
 }
 
 /// The head's maps for a look.
-fn maps_of(name: &str) -> anyhow::Result<Maps> {
+pub(crate) fn maps_of(name: &str) -> anyhow::Result<Maps> {
     let look = method(LOOKS, name)?;
     let Maps { normals, shine } = Maps::default();
     let read = |file: Option<&str>, otherwise: Image| -> anyhow::Result<Image> {

@@ -4,7 +4,7 @@ use clipping::Cull;
 use clipping::mesh::indexed;
 use common::file::write_whole;
 use common::{Format, Image, Mat4};
-use lighting::{Draw, METHODS, NORMALISATIONS, POWERS, PointLight, Scene};
+use lighting::{Draw, LOOKS, METHODS, NORMALISATIONS, POWERS, PointLight, Scene};
 use perspective::scene::Loaded;
 use textures::Wrap;
 
@@ -12,7 +12,7 @@ use super::digits::three_digits;
 use super::measure::Work;
 use super::models::scene_model;
 use super::{Comparison, Run};
-use crate::lessons::lighting::figures::{ALL, SEEN, best_ratio, camera, stretched_pictures};
+use crate::lessons::lighting::figures::{ALL, SEEN, best_ratio, camera, maps_of, stretched_pictures};
 
 pub(super) const COMPARISON: Comparison =
     Comparison { name: "12-lighting-pictures", works, measure, draw: |_| Ok(Vec::new()) };
@@ -20,7 +20,7 @@ pub(super) const COMPARISON: Comparison =
 /// The side of the picture.
 const SIDE: u16 = 800;
 
-/// All that draws in one of the lesson's ways.
+/// All that draws in one of the lesson's ways, but for the looks.
 fn draws() -> impl Iterator<Item = (&'static str, Draw)> {
     let methods = METHODS.iter().map(|row| (row.name, row.run));
     let roots = NORMALISATIONS.iter().map(|row| (row.name, row.run.draw));
@@ -34,13 +34,22 @@ fn works(_: usize) -> anyhow::Result<Vec<Work>> {
     let head: &Loaded = Box::leak(Box::new(Loaded::new(model.clone(), texture.clone(), Wrap::Clamp)));
     let mesh = indexed(&head.model, &head.normals, ALL);
     let camera = camera(SEEN)?;
-    let work = |(_, draw): (&str, Draw)| {
-        let scene = Scene::placed(head, Mat4::IDENTITY, camera, SEEN.0, PointLight::default());
-        let (scene, mesh) = (scene.expect("it is not flat"), mesh.clone());
-        let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-        Work::new(1.0, move || draw(&scene, &mesh, Cull::Back, &mut image).counts)
-    };
-    Ok(draws().map(work).collect())
+    let scene = Scene::placed(head, Mat4::IDENTITY, camera, SEEN.0, PointLight::default());
+    let scene = scene.ok_or_else(|| anyhow::anyhow!("the head is not flat"))?;
+    let image = Image::new(SIDE, SIDE, Format::Rgb);
+    let mut works: Vec<Work> = draws()
+        .map(|(_, draw)| {
+            let (mesh, mut image) = (mesh.clone(), image.clone());
+            Work::new(1.0, move || draw(&scene, &mesh, Cull::Back, &mut image).counts)
+        })
+        .collect();
+    for row in LOOKS {
+        let (mesh, mut image, maps) = (mesh.clone(), image.clone(), maps_of(row.name)?);
+        works.push(Work::new(1.0, move || {
+            (row.run.draw)(&scene, &maps, &mesh, Cull::Back, &mut image).counts
+        }));
+    }
+    Ok(works)
 }
 
 /// How far two pictures of a thing on black are apart, in levels of a channel: at worst, and in the mean over its pixels.
@@ -64,8 +73,9 @@ fn apart(a: &Image, b: &Image) -> [f64; 2] {
 /// Measures, and writes both tables.
 fn measure(run: &mut Run) -> anyhow::Result<()> {
     let speeds = run.speeds(COMPARISON.name, usize::from(SIDE), 1.0)?;
+    let names = draws().map(|(name, _)| name).chain(LOOKS.iter().map(|row| row.name));
     let pictures =
-        draws().zip(speeds).map(|((name, _), speed)| [name.into(), three_digits(1000.0 / speed.median())]);
+        names.zip(speeds).map(|(name, speed)| [name.into(), three_digits(1000.0 / speed.median())]);
     write(run, COMPARISON.name, ["method", "ms"], pictures)?;
 
     let ratios = [0.0_f32, 30.0, 60.0, 90.0].map(|degrees| {

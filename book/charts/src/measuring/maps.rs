@@ -121,7 +121,7 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
     for (choice, found) in choices()?.into_iter().zip(speeds) {
         let triangles = choice.loaded.model.triangles().len();
         let ms = |rate: f64| three_digits(1000.0 / rate);
-        let with = if choice.look == "plain" { "" } else { " and a map" };
+        let with = if choice.look == "plain" { "" } else { "-map" };
         rows.push(Row {
             choice: format!("{triangles}{with}"),
             triangles,
@@ -142,8 +142,7 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
 
 /// What decides about each choice.
 fn figures(rows: &[Row]) -> Vec<Figure> {
-    let figure =
-        |row: &Row| Figure { error: number(&row.error_mean), builds: rates(row), does_it: true };
+    let figure = |row: &Row| Figure { error: number(&row.error_mean), builds: rates(row), does_it: true };
     rows.iter().map(figure).collect()
 }
 
@@ -183,7 +182,9 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
             times: true,
             dots: rows.iter().zip(&close).map(dot).collect(),
             caption: vec![
-                format!("The head in so many triangles, {SIDE}×{SIDE} px, by blinn-phong. The maps hold the normals of the fine shape."),
+                format!(
+                    "The head in so many triangles, {SIDE}×{SIDE} px, by blinn-phong. The maps hold the normals of the fine shape."
+                ),
                 caption(folder, COMPARISON.name)?,
             ],
         };
