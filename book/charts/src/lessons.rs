@@ -12,6 +12,8 @@ use crate::measuring::table::Chart;
 pub(crate) mod camera;
 #[path = "../../lessons/11-clipping/mod.rs"]
 pub(crate) mod clipping;
+#[path = "../../lessons/13-filtering/mod.rs"]
+pub(crate) mod filtering;
 #[path = "../../lessons/06-gouraud/mod.rs"]
 pub(crate) mod gouraud;
 #[path = "../../lessons/01-lines/mod.rs"]
@@ -44,6 +46,7 @@ pub const LESSONS: &[Lesson] = &[
     shaders::LESSON,
     perspective::LESSON,
     clipping::LESSON,
+    filtering::LESSON,
 ];
 
 /// What the book shows of a lesson.
