@@ -14,18 +14,20 @@ use filtering::light::SRGB;
 use filtering::mipmap::Mipmap;
 use filtering::scene::fine;
 use filtering::{
-    Footprint, Level, METHODS, MIPMAPS, Surface, Texture, WRAPS, Wrap, bilinear, bilinear_8, draw, level, nearest,
-    trilinear,
+    Footprint, Level, METHODS, MIPMAPS, Sampler, Surface, Texture, WRAPS, Wrap, bilinear, bilinear_8, draw,
+    level, trilinear,
 };
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
 
 use crate::figures::picture::{chequered, method, model, painted, paste, texture};
 use crate::figures::sheet::{
-    AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, MINT, ORANGE, PALE, PURPLE, ROSE, SKY, Sheet,
+    AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, MINT, ORANGE, PALE, ROSE, SKY, Sheet,
 };
 use crate::figures::{Drawing, Figure};
 use crate::lessons::clipping::figures::{ALL, CENTER, EYE, to_clip};
+#[cfg(feature = "measure")]
+use crate::lessons::transforms::figures::TILES;
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -115,6 +117,18 @@ pub(crate) const FIGURES: &[Figure] = &[
         biased,
     ),
     Figure::new(
+        "filtering-ways",
+        "A floor to the horizon four times: breaking up into grains; blurred long before the horizon; sharp to near the \
+         horizon; and the same once more.",
+        ways,
+    ),
+    Figure::new(
+        "filtering-seams",
+        "A head from behind, three times: as it should be, with thin dark lines where the texture was cut, and in large spots of \
+         colour with wide dark lines.",
+        seams,
+    ),
+    Figure::new(
         "filtering-probes",
         "A long, slanted parallelogram. Around it a large grey square as wide as it is long; along it a row of small squares.",
         probes,
@@ -151,7 +165,7 @@ pub(crate) const FIGURES: &[Figure] = &[
 ];
 
 /// A model with its mesh and a texture with all its levels.
-struct Subject {
+pub(crate) struct Subject {
     loaded: Loaded,
     mesh: Mesh,
     texture: Texture,
@@ -165,13 +179,24 @@ impl Subject {
         Self { loaded, mesh, texture }
     }
 
-    fn surface(&self, light: Vec3, to_clip: Mat4) -> Surface<'_> {
+    /// The texture as it was.
+    #[cfg(feature = "measure")]
+    pub(crate) fn image(&self) -> &Image {
+        &self.loaded.texture
+    }
+
+    #[cfg(feature = "measure")]
+    pub(crate) fn model(&self) -> &Model {
+        &self.loaded.model
+    }
+
+    pub(crate) fn surface(&self, light: Vec3, to_clip: Mat4) -> Surface<'_> {
         Surface { uniforms: self.loaded.uniforms(light, to_clip), mesh: &self.mesh, texture: &self.texture }
     }
 }
 
 /// The usual way to make levels.
-fn of_light() -> anyhow::Result<Mipmap> {
+pub(crate) fn of_light() -> anyhow::Result<Mipmap> {
     Ok(*method(MIPMAPS, "box-linear")?)
 }
 
@@ -180,12 +205,12 @@ fn of_head() -> anyhow::Result<Subject> {
 }
 
 /// Lesson 11's floor, with a texture.
-fn floor_of(image: Image, mipmap: Mipmap) -> anyhow::Result<Subject> {
+pub(crate) fn floor_of(image: Image, mipmap: Mipmap) -> anyhow::Result<Subject> {
     let model = Model::read(Path::new(SLABS[0]), Attributes { normals: true, uvs: true })?;
     Ok(Subject::new(model, image, Wrap::Repeat, mipmap))
 }
 
-fn of_floor() -> anyhow::Result<Subject> {
+pub(crate) fn of_floor() -> anyhow::Result<Subject> {
     floor_of(fine(&Image::read(Path::new(SLABS[1]))?), of_light()?)
 }
 
@@ -203,18 +228,29 @@ fn picture<F: Filter>(
     image
 }
 
-/// The same by a row of the lesson's table.
-fn by_method(
-    name: &str,
+/// The same by what a row of the lesson's table has.
+fn lit_by_sampler(
+    sampler: &Sampler,
     subjects: &[Subject],
     (light, to_clip): (Vec3, Mat4),
     [width, height]: [u16; 2],
-) -> anyhow::Result<Image> {
+) -> Image {
     let mut image = Image::new(width, height, Format::Rgb);
     let surfaces: Vec<Surface> =
         subjects.iter().map(|subject| subject.surface(light.normalize(), to_clip)).collect();
-    (method(METHODS, name)?.draw)(&surfaces, Cull::Back, &mut image);
-    Ok(image)
+    (sampler.draw)(&surfaces, Cull::Back, &mut image);
+    image
+}
+
+/// Under a light from above.
+#[cfg(feature = "measure")]
+pub(crate) fn by_sampler(sampler: &Sampler, subjects: &[Subject], to_clip: Mat4, size: [u16; 2]) -> Image {
+    lit_by_sampler(sampler, subjects, (Vec3::Y, to_clip), size)
+}
+
+/// The same by a row of the lesson's table.
+fn by_method(name: &str, subjects: &[Subject], scene: (Vec3, Mat4), size: [u16; 2]) -> anyhow::Result<Image> {
+    Ok(lit_by_sampler(method(METHODS, name)?, subjects, scene, size))
 }
 
 /// Between pictures.
@@ -249,9 +285,7 @@ const LIGHT: Vec3 = Vec3::new(0.4, 0.8, 0.8);
 fn head() -> anyhow::Result<Drawing> {
     let subjects = [of_head()?, of_floor()?];
     let to_clip = to_clip(45.0, EYE, CENTER)?;
-    in_a_row(
-        ["nearest", "trilinear"].map(|name| by_method(name, &subjects, (LIGHT, to_clip), [HALF, HALF])),
-    )
+    in_a_row(["nearest", "trilinear"].map(|name| by_method(name, &subjects, (LIGHT, to_clip), [HALF, HALF])))
 }
 
 fn footprints() -> anyhow::Result<Drawing> {
@@ -272,25 +306,27 @@ fn footprints() -> anyhow::Result<Drawing> {
         at(center.x * half * size.x / size.y * depth, depth)
     };
     // In the picture on the left, of a place on the floor.
-    let (scale, left, right) = (0.3, at(0.0, 1.5), at(12.4, -1.6));
+    let (scale, left, right) = (0.4, at(0.0, 1.5), at(13.2, -1.6));
+    // Of the picture only what is below the horizon, and a little more.
+    let (wide, high) = (size.x * scale, 10.6 * scale);
     let shown = |uv: Vec2| {
         let clip = to_clip * Vec3::new(uv.x, 0.0, -uv.y).extend(1.0);
         left + (at(clip.x, clip.y) / clip.w + 1.0) / 2.0 * size * scale
     };
-    let mut sheet = Sheet::new((-0.1, -0.75), (16.1, 9.4));
-    sheet.rectangle(left, left + size * scale, PALE, GREY);
+    let mut sheet = Sheet::new((-0.1, -0.75), (16.4, 9.4));
+    sheet.rectangle(left, left + at(wide, high), PALE, GREY);
     let horizon = left + at(0.0, size.y / 2.0 * scale);
-    sheet.line(horizon, horizon + at(size.x * scale, 0.0), GREY, 1.4);
+    sheet.line(horizon, horizon + at(wide, 0.0), GREY, 1.4);
     // Level lines of the floor, and lines that lead away; all within the picture.
     for depth in [2.5_f32, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0, 24.0] {
         let y = shown(at(0.0, depth)).y;
-        sheet.line((left.x, y), (left.x + size.x * scale, y), FAINT, 1.2);
+        sheet.line((left.x, y), (left.x + wide, y), FAINT, 1.2);
     }
-    for u in -12..=12 {
+    for u in -5..=5 {
         let far = shown(at(u as f32, 400.0));
         let nearest = (1..400)
             .map(|n| at(u as f32, 2.42 + 0.05 * n as f32))
-            .find(|uv| (left.x..=left.x + size.x * scale).contains(&shown(*uv).x));
+            .find(|uv| (left.x..=left.x + wide).contains(&shown(*uv).x));
         if let Some(near) = nearest {
             sheet.line(shown(near), far, FAINT, 1.2);
         }
@@ -311,13 +347,9 @@ fn footprints() -> anyhow::Result<Drawing> {
         sheet.rectangle(corner, corner + scale, fill, ink);
         let uv = seen(x, y);
         let Footprint { x: a, y: b } = gradients.footprint(x, y, uv);
-        sheet.polygon(
-            &[-a - b, a - b, a + b, b - a].map(|p| right + uv + p / 2.0),
-            fill,
-            ink,
-        );
+        sheet.polygon(&[-a - b, a - b, a + b, b - a].map(|p| right + uv + p / 2.0), fill, ink);
     }
-    sheet.text(left + at(size.x / 2.0 * scale, -0.6), "picture", GREY);
+    sheet.text(left + at(wide / 2.0, -0.6), "picture", GREY);
     sheet.text(right + at(0.5, 1.2), "floor, from above", GREY);
     sheet.finish()
 }
@@ -380,7 +412,7 @@ fn of_box(periods: f32) -> f32 {
 
 fn kernels() -> anyhow::Result<Drawing> {
     let at = Vec2::new;
-    let mut sheet = Sheet::new((-1.75, -4.2), (4.55, 1.75));
+    let mut sheet = Sheet::new((-1.75, -4.75), (4.55, 1.75));
     // The weights.
     for (middle, ink, fill, corners, name) in [
         (at(-0.2, 0.0), BLUE, SKY, vec![at(-0.5, 0.0), at(-0.5, 1.0), at(0.5, 1.0), at(0.5, 0.0)], "box"),
@@ -410,7 +442,7 @@ fn kernels() -> anyhow::Result<Drawing> {
     sheet.text_left_of(place(at(-0.06, 1.0)), "1", BLACK);
     sheet.text_left_of(place(at(-0.06, 0.0)), "0", BLACK);
     sheet.text_right_of(place(at(0.72, 0.78)), "what is left of a wave", GREY);
-    sheet.text(place(at(2.5, -0.33)), "periods a pixel", GREY);
+    sheet.text(place(at(1.5, -0.58)), "periods a pixel", GREY);
     sheet.finish()
 }
 
@@ -524,14 +556,16 @@ fn parallelogram() -> anyhow::Result<Drawing> {
 /// A square of the head about its eye, so that a texel is many pixels.
 fn enlarged() -> anyhow::Result<Drawing> {
     let head = [of_head()?];
-    let eye = Vec3::new(0.33, 0.16, 4.0);
+    let eye = Vec3::new(0.18, 0.275, 4.0);
     let view = view(eye, eye.with_z(0.0), Vec3::Y).context("it looks somewhere")?;
-    let to_clip = perspective(3.4, 1.0, 0.1, 100.0)? * view;
+    let to_clip = perspective(1.3, 1.0, 0.1, 100.0)? * view;
     in_a_row(["nearest", "bilinear"].map(|name| by_method(name, &head, (Vec3::Z, to_clip), [HALF, HALF])))
 }
 
 fn wraps() -> anyhow::Result<Drawing> {
-    const [WIDTH, HEIGHT, BETWEEN]: [i32; 3] = [900, 64, 14];
+    const WIDTH: i32 = 900;
+    const HEIGHT: i32 = 64;
+    const BETWEEN: i32 = 14;
     let colors = [(0x1f, 0x55, 0x77), (0xf2, 0xc1, 0x4e), (0xd5, 0x5e, 0x00), (0xf1, 0xee, 0xe5)]
         .map(|(r, g, b)| Color::rgb(r, g, b));
     let row = painted(4, 1, |x, _| colors[x as usize]);
@@ -588,7 +622,7 @@ fn of_curve() -> anyhow::Result<Drawing> {
     sheet.text_left_of((-0.03, 1.0), "light", GREY);
     sheet.text((1.32, -0.07), "code", GREY);
     sheet.text_right_of((0.78, 0.5), "mean of the light", BLUE);
-    sheet.text_right_of((0.55, 0.2), "mean of the codes", ORANGE);
+    sheet.text_right_of((0.78, 0.2), "mean of the codes", ORANGE);
     sheet.finish()
 }
 
@@ -597,17 +631,23 @@ fn board() -> Image {
     chequered(2, 2, [Color::BLACK, Color::WHITE])
 }
 
+/// Fine checks: squares of so many texels, 128 texels each way.
+#[cfg(feature = "measure")]
+pub(crate) fn squares(texels: u16) -> Image {
+    chequered(128 / texels, 128 / texels, TILES).scale(128, 128)
+}
+
 /// A board that leads away, its levels made in one way.
 pub(crate) fn led_away(mipmap: &str, size: [u16; 2]) -> anyhow::Result<Image> {
     let floor = [floor_of(fine(&board()), *method(MIPMAPS, mipmap)?)?];
-    let (eye, center) = (Vec3::new(0.3, -0.5, 3.0), Vec3::new(0.3, -0.72, 0.0));
+    let (eye, center) = (Vec3::new(0.3, -0.5, 3.0), Vec3::new(0.3, -1.03, 0.0));
     let look = view(eye, center, Vec3::Y).context("it looks somewhere")?;
     let to_clip = perspective(24.0, f32::from(size[0]) / f32::from(size[1]), 0.1, 1000.0)? * look;
     by_method("trilinear", &floor, (Vec3::Y, to_clip), size)
 }
 
 fn darkened() -> anyhow::Result<Drawing> {
-    in_a_row(["box-encoded", "box-linear"].map(|mipmap| led_away(mipmap, [HALF, 320])))
+    in_a_row(["box-encoded", "box-linear"].map(|mipmap| led_away(mipmap, [HALF, 280])))
 }
 
 /// One colour a level.
@@ -644,16 +684,23 @@ impl Filter for Rounded {
     }
 }
 
+/// An eye near the floor, which fills all but the upper border of a picture of that size.
+pub(crate) fn over_the_floor([width, height]: [u16; 2]) -> anyhow::Result<Mat4> {
+    let eye = Vec3::new(0.3, -0.35, 3.0);
+    let look = view(eye, eye + Vec3::new(0.6, -0.4, -1.8), Vec3::Y).context("it looks somewhere")?;
+    Ok(perspective(30.0, f32::from(width) / f32::from(height), 0.1, 1000.0)? * look)
+}
+
 fn bands() -> anyhow::Result<Drawing> {
     let floor = [Subject { texture: painted_levels(), ..of_floor()? }];
-    let scene = (Vec3::Y, to_clip(45.0, EYE, CENTER)?);
-    let size = [HALF, 320];
+    let size = [HALF, 240];
+    let scene = (Vec3::Y, over_the_floor(size)?);
     in_a_row([Ok(picture(&floor, Rounded, scene, size)), Ok(picture(&floor, Trilinear, scene, size))])
 }
 
 /// Trilinear, so many levels off.
 #[derive(Clone, Copy)]
-pub(crate) struct Biased(pub(crate) f32);
+struct Biased(f32);
 
 impl Filter for Biased {
     type Footprint = Footprint;
@@ -666,8 +713,48 @@ impl Filter for Biased {
 
 fn biased() -> anyhow::Result<Drawing> {
     let floor = [of_floor()?];
-    let scene = (LIGHT, to_clip(45.0, EYE, CENTER)?);
-    in_a_row([-1.0, 0.0, 1.0].map(|bias| Ok(picture(&floor, Biased(bias), scene, [THIRD, THIRD]))))
+    let size = [THIRD, 220];
+    let scene = (Vec3::Y, over_the_floor(size)?);
+    in_a_row([-1.0, 0.0, 1.0].map(|bias| Ok(picture(&floor, Biased(bias), scene, size))))
+}
+
+/// The mean of so many look-ups a pixel, each way, of light.
+fn averaged(large: &Image, each: i32) -> Image {
+    let [width, height] = [large.width(), large.height()].map(|side| (side / each) as u16);
+    painted(width, height, |x, y| {
+        let pixels = (0..each * each).filter_map(|n| large.get(x * each + n % each, y * each + n / each));
+        SRGB.color(pixels.map(|color| SRGB.light(color)).sum::<common::Vec4>() / (each * each) as f32)
+    })
+}
+
+fn ways() -> anyhow::Result<Drawing> {
+    const EACH: u16 = 8;
+    let floor = [of_floor()?];
+    let size = [HALF, 240];
+    let scene = (Vec3::Y, over_the_floor(size)?);
+    let [bilinear, trilinear, anisotropic] =
+        ["bilinear", "trilinear", "anisotropic"].map(|name| by_method(name, &floor, scene, size));
+    let large = by_method("nearest", &floor, scene, size.map(|side| side * EACH))?;
+    rows_of(&[vec![bilinear?, trilinear?], vec![anisotropic?, averaged(&large, EACH.into())]])
+}
+
+/// Looks into one level, whatever the footprint.
+#[derive(Clone, Copy)]
+struct Fixed(f32);
+
+impl Filter for Fixed {
+    type Footprint = ();
+
+    fn color<L: Layout>(self, texture: &Texture<L>, uv: Vec2, (): ()) -> Color {
+        texture.base().codes().color(trilinear(texture, uv, self.0))
+    }
+}
+
+fn seams() -> anyhow::Result<Drawing> {
+    let head = [of_head()?];
+    let to_clip = to_clip(11.0, Vec3::new(-2.6, 0.7, -1.9), Vec3::new(-0.126, 0.157, 0.173))?;
+    let light = Vec3::new(-0.8, 0.5, -0.3);
+    in_a_row([0.0, 3.0, 5.0].map(|level| Ok(picture(&head, Fixed(level), (light, to_clip), [THIRD, THIRD]))))
 }
 
 fn probes() -> anyhow::Result<Drawing> {
@@ -702,7 +789,9 @@ fn probes() -> anyhow::Result<Drawing> {
 }
 
 fn weights() -> anyhow::Result<Drawing> {
-    const [WIDTH, HEIGHT, BETWEEN]: [i32; 3] = [900, 90, 6];
+    const WIDTH: i32 = 900;
+    const HEIGHT: i32 = 90;
+    const BETWEEN: i32 = 6;
     let row = painted(2, 1, |x, _| if x == 0 { Color::BLACK } else { Color::WHITE });
     let level = Level::<Rows>::new(&row, &SRGB);
     let image = painted(WIDTH as u16, (2 * HEIGHT + BETWEEN) as u16, |x, y| {
@@ -727,8 +816,10 @@ fn layouts() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.2, -1.4), (28.2, 8.2));
     let mut panel = |n: i32, name: &str, place: &dyn Fn(u32, u32) -> usize| {
         let left = 10 * n;
-        let mut order: Vec<(usize, u32, u32)> =
-            (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))).map(|(x, y)| (place(x, y), x, y)).collect();
+        let mut order: Vec<(usize, u32, u32)> = (0..SIDE)
+            .flat_map(|y| (0..SIDE).map(move |x| (x, y)))
+            .map(|(x, y)| (place(x, y), x, y))
+            .collect();
         order.sort_unstable();
         for &(place, x, y) in &order {
             sheet.pixel(left + x as i32, y as i32, LINES[place / 16 % 4]);
@@ -746,12 +837,12 @@ fn layouts() -> anyhow::Result<Drawing> {
 }
 
 fn walk() -> anyhow::Result<Drawing> {
-    const [WIDTH, HEIGHT]: [u32; 2] = [32, 16];
+    const WIDTH: u32 = 32;
+    const HEIGHT: u32 = 20;
     let at = Vec2::new;
-    let mut sheet = Sheet::new((-0.2, -21.4), (32.2, 17.6));
-    let step = Vec2::from_angle(24.0_f32.to_radians());
-    let points: Vec<Vec2> =
-        (0..31).map(|n| at(1.5, 1.5) + step * n as f32).filter(|p| p.y < 16.0 && p.x < 32.0).collect();
+    let mut sheet = Sheet::new((-0.2, -25.8), (32.2, 20.4));
+    let step = Vec2::from_angle(36.0_f32.to_radians());
+    let points: Vec<Vec2> = (0..31).map(|n| at(1.5, 1.5) + step * n as f32).collect();
     let mut panel = |bottom: i32, name: &str, line: &dyn Fn(u32, u32) -> usize| {
         let mut touched: Vec<usize> = points.iter().map(|p| line(p.x as u32, p.y as u32)).collect();
         touched.sort_unstable();
@@ -766,22 +857,26 @@ fn walk() -> anyhow::Result<Drawing> {
             sheet.dot(*p + at(0.0, bottom as f32), BLACK);
         }
         let words = format!("{name}: {} lines for {} texels", touched.len(), points.len());
-        sheet.text((16.0, bottom as f32 - 1.1), &words, BLACK);
+        sheet.text((16.0, bottom as f32 - 1.2), &words, BLACK);
     };
     let (rows, tiles) = (Rows::new(WIDTH, HEIGHT), Tiles::new(WIDTH, HEIGHT));
     panel(0, "rows", &|x, y| rows.place(x, y) / 16);
-    panel(-19, "tiles-4x4", &|x, y| tiles.place(x, y) / 16);
+    panel(-23, "tiles-4x4", &|x, y| tiles.place(x, y) / 16);
     sheet.finish()
 }
 
 /// The eye's way over the floor: straight on, by so much a picture.
-pub(crate) const PER_FRAME: f32 = 0.04;
+const PER_FRAME: f32 = 0.04;
 
-/// The camera of the flight, at a picture's number.
-pub(crate) fn flying(frame: usize, ratio: f32) -> anyhow::Result<Mat4> {
+/// The view of the flight, at a picture's number.
+pub(crate) fn flying_view(frame: usize) -> anyhow::Result<Mat4> {
     let eye = Vec3::new(0.31, -0.55, 3.0 - PER_FRAME * frame as f32);
-    let look = view(eye, eye + Vec3::new(0.25, -0.12, -1.0), Vec3::Y).context("it looks somewhere")?;
-    Ok(perspective(45.0, ratio, 0.1, 1000.0)? * look)
+    view(eye, eye + Vec3::new(0.25, -0.12, -1.0), Vec3::Y).context("it looks somewhere")
+}
+
+/// The camera of the flight.
+pub(crate) fn flying(frame: usize, ratio: f32) -> anyhow::Result<Mat4> {
+    Ok(perspective(45.0, ratio, 0.1, 1000.0)? * flying_view(frame)?)
 }
 
 fn flight() -> anyhow::Result<Drawing> {
@@ -790,8 +885,8 @@ fn flight() -> anyhow::Result<Drawing> {
         let frame = |n: usize| {
             let image = by_method(name, &floor, (Vec3::Y, flying(n, 1.0)?), [400, 400])?;
             // What lies just under the horizon, twice as large.
-            let part = crate::figures::picture::cut(&image, [120, 205], [110, 36]);
-            Ok(part.scale(220, 72))
+            let part = crate::figures::picture::cut(&image, [120, 212], [110, 40]);
+            Ok(part.scale(220, 80))
         };
         (0..4).map(frame).collect::<anyhow::Result<Vec<Image>>>()
     });
@@ -811,7 +906,7 @@ fn letter(off: f32) -> Image {
     painted(HALF, HALF, |x, y| {
         let uv = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(HALF);
         let line = |x: i32| (x * 8) % i32::from(HALF) < 8;
-        let color = SRGB.color(bilinear(&level, uv - off / 8.0, Wrap::Clamp));
+        let color = SRGB.color(bilinear(&level, uv + off / 8.0, Wrap::Clamp));
         if line(x) || line(y) { color.mixed(Color::BLACK, 80) } else { color }
     })
 }
