@@ -405,7 +405,7 @@ fn folded() -> anyhow::Result<Drawing> {
 }
 
 /// What is left of a wave of so many periods a pixel after the mean over a pixel.
-fn of_box(periods: f32) -> f32 {
+pub(super) fn of_box(periods: f32) -> f32 {
     let x = PI * periods;
     if x == 0.0 { 1.0 } else { x.sin() / x }
 }
@@ -718,6 +718,12 @@ fn biased() -> anyhow::Result<Drawing> {
     in_a_row([-1.0, 0.0, 1.0].map(|bias| Ok(picture(&floor, Biased(bias), scene, size))))
 }
 
+/// The floor by a method.
+pub(crate) fn to_the_horizon(name: &str) -> anyhow::Result<Image> {
+    let size = [HALF, 240];
+    by_method(name, &[of_floor()?], (Vec3::Y, over_the_floor(size)?), size)
+}
+
 /// The mean of so many look-ups a pixel, each way, of light.
 fn averaged(large: &Image, each: i32) -> Image {
     let [width, height] = [large.width(), large.height()].map(|side| (side / each) as u16);
@@ -732,8 +738,7 @@ fn ways() -> anyhow::Result<Drawing> {
     let floor = [of_floor()?];
     let size = [HALF, 240];
     let scene = (Vec3::Y, over_the_floor(size)?);
-    let [bilinear, trilinear, anisotropic] =
-        ["bilinear", "trilinear", "anisotropic"].map(|name| by_method(name, &floor, scene, size));
+    let [bilinear, trilinear, anisotropic] = ["bilinear", "trilinear", "anisotropic"].map(to_the_horizon);
     let large = by_method("nearest", &floor, scene, size.map(|side| side * EACH))?;
     rows_of(&[vec![bilinear?, trilinear?], vec![anisotropic?, averaged(&large, EACH.into())]])
 }
