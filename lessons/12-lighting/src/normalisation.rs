@@ -12,8 +12,9 @@
 use common::{Method, Vec3};
 
 use crate::Draw;
+use crate::light::{PointLight, Reflected};
 use crate::power::Powf;
-use crate::reflection::Halfway;
+use crate::reflection::{Halfway, PointLit, Reflection};
 use crate::shader::per_pixel;
 
 /// A way to make vectors 1 long.
@@ -89,6 +90,8 @@ pub struct Normalise {
     pub one: fn(Vec3) -> Vec3,
     /// Does so with each; compiled for just this, it is what gets timed.
     pub all: fn(&mut [Vec3]),
+    /// As [`blinn_phong`](crate::blinn_phong), with it.
+    pub reflect: fn(Vec3, Vec3, Vec3, &PointLight) -> Reflected,
     /// Draws with it, as the row `blinn-phong` of [`METHODS`](crate::METHODS) does.
     pub draw: Draw,
 }
@@ -98,6 +101,9 @@ impl Normalise {
         Self {
             one: N::normal,
             all: |normals| normals.iter_mut().for_each(|normal| *normal = N::normal(*normal)),
+            reflect: |point, normal, eye, light| {
+                PointLit::<Halfway, N, Powf>::new(light).reflect(point, normal, eye)
+            },
             draw: per_pixel::<Halfway, N, Powf>,
         }
     }
