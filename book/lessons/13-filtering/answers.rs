@@ -8,7 +8,7 @@ use filtering::layout::Rows;
 use filtering::light::{ENCODED, SRGB};
 use filtering::{Footprint, Level, MIPMAPS, Wrap, bilinear, level};
 
-use super::figures::of_box;
+use super::sketches::of_box;
 
 #[test]
 fn a_wave_and_its_alias_have_the_same_samples() {

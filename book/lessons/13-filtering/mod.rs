@@ -5,6 +5,7 @@ mod answers;
 #[cfg(feature = "measure")]
 pub(crate) mod charts;
 pub(crate) mod figures;
+mod sketches;
 
 use crate::lessons::Lesson;
 
