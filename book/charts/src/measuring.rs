@@ -11,8 +11,7 @@ mod digits;
 mod draw;
 mod far;
 mod finding;
-pub(crate) mod finish;
-mod flight;
+mod finish;
 mod frontier;
 mod head;
 mod machine;
@@ -26,7 +25,6 @@ mod speed;
 mod summary;
 pub(crate) mod table;
 mod timer;
-mod walks;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
@@ -62,15 +60,8 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: &[Comparison] = &[
-    far::COMPARISON,
-    savings::COMPARISON,
-    flight::COMPARISON,
-    walks::COMPARISON,
-    needs::COMPARISON,
-    head::COMPARISON,
-    finish::COMPARISON,
-];
+const COMPARISONS: [Comparison; 5] =
+    [far::COMPARISON, savings::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
 
 /// Charts: what is behind the name of each file, and the SVG.
 type Pictures = Vec<(String, String)>;

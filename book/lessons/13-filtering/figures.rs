@@ -17,6 +17,7 @@ use filtering::{
 };
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
+use triangles::fill;
 
 use super::sketches::{
     centres, folded, footprints, kernels, layouts, odd, of_curve, parallelogram, probes, samples, walk,
@@ -24,8 +25,6 @@ use super::sketches::{
 use crate::figures::picture::{chequered, cut, method, model, painted, paste, texture};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::clipping::figures::{ALL, CENTER, EYE, to_clip};
-#[cfg(feature = "measure")]
-use crate::lessons::transforms::figures::TILES;
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -122,8 +121,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "filtering-seams",
-        "A head from behind, three times: as it should be, with thin dark lines where the texture was cut, and in large spots of \
-         colour with wide dark lines.",
+        "An ear, three times: sharp, blurred, and blurred with dark lines and spots along the borders of its parts.",
         seams,
     ),
     Figure::new(
@@ -177,24 +175,13 @@ impl Subject {
         Self { loaded, mesh, texture }
     }
 
-    /// The texture as it was.
-    #[cfg(feature = "measure")]
-    pub(crate) fn image(&self) -> &Image {
-        &self.loaded.texture
-    }
-
-    #[cfg(feature = "measure")]
-    pub(crate) fn model(&self) -> &Model {
-        &self.loaded.model
-    }
-
     pub(crate) fn surface(&self, light: Vec3, to_clip: Mat4) -> Surface<'_> {
         Surface { uniforms: self.loaded.uniforms(light, to_clip), mesh: &self.mesh, texture: &self.texture }
     }
 }
 
 /// The usual way to make levels.
-pub(crate) fn of_light() -> anyhow::Result<Mipmap> {
+fn of_light() -> anyhow::Result<Mipmap> {
     Ok(*method(MIPMAPS, "box-linear")?)
 }
 
@@ -203,12 +190,12 @@ fn of_head() -> anyhow::Result<Subject> {
 }
 
 /// Lesson 11's floor, with a texture.
-pub(crate) fn floor_of(image: Image, mipmap: Mipmap) -> anyhow::Result<Subject> {
+fn floor_of(image: Image, mipmap: Mipmap) -> anyhow::Result<Subject> {
     let model = Model::read(Path::new(SLABS[0]), Attributes { normals: true, uvs: true })?;
     Ok(Subject::new(model, image, Wrap::Repeat, mipmap))
 }
 
-pub(crate) fn of_floor() -> anyhow::Result<Subject> {
+fn of_floor() -> anyhow::Result<Subject> {
     floor_of(fine(&Image::read(Path::new(SLABS[1]))?), of_light()?)
 }
 
@@ -238,12 +225,6 @@ fn lit_by_sampler(
         subjects.iter().map(|subject| subject.surface(light.normalize(), to_clip)).collect();
     (sampler.draw)(&surfaces, Cull::Back, &mut image);
     image
-}
-
-/// Under a light from above.
-#[cfg(feature = "measure")]
-pub(crate) fn by_sampler(sampler: &Sampler, subjects: &[Subject], to_clip: Mat4, size: [u16; 2]) -> Image {
-    lit_by_sampler(sampler, subjects, (Vec3::Y, to_clip), size)
 }
 
 /// The same by a row of the lesson's table.
@@ -339,12 +320,6 @@ fn board() -> Image {
     chequered(2, 2, [Color::BLACK, Color::WHITE])
 }
 
-/// Fine checks: squares of so many texels, 128 texels each way.
-#[cfg(feature = "measure")]
-pub(crate) fn squares(texels: u16) -> Image {
-    chequered(128 / texels, 128 / texels, TILES).scale(128, 128)
-}
-
 /// A board that leads away, its levels made in one way.
 pub(crate) fn led_away(mipmap: &str, size: [u16; 2]) -> anyhow::Result<Image> {
     let floor = [floor_of(fine(&board()), *method(MIPMAPS, mipmap)?)?];
@@ -393,7 +368,7 @@ impl Filter for Rounded {
 }
 
 /// An eye near the floor, which fills all but the upper border of a picture of that size.
-pub(crate) fn over_the_floor([width, height]: [u16; 2]) -> anyhow::Result<Mat4> {
+fn over_the_floor([width, height]: [u16; 2]) -> anyhow::Result<Mat4> {
     let eye = Vec3::new(0.3, -0.35, 3.0);
     let look = view(eye, eye + Vec3::new(0.6, -0.4, -1.8), Vec3::Y).context("it looks somewhere")?;
     Ok(perspective(30.0, f32::from(width) / f32::from(height), 0.1, 1000.0)? * look)
@@ -463,11 +438,28 @@ impl Filter for Fixed {
     }
 }
 
+/// A model's texture with black where no triangle lies.
+fn bare(model: &Model, image: &Image) -> Image {
+    let mut bare = Image::new(image.width() as u16, image.height() as u16, Format::Rgb);
+    let (bounds, size) = (bare.bounds(), image.size());
+    for uvs in model.face_uvs() {
+        fill(uvs.map(|uv| uv * size), bounds, |x, y, _| {
+            bare.set(x, y, image.get(x, y).unwrap_or(Color::BLACK))
+        });
+    }
+    bare
+}
+
 fn seams() -> anyhow::Result<Drawing> {
-    let head = [of_head()?];
+    let (model, texture) = (model()?, texture()?);
+    let bare = Subject::new(model.clone(), bare(&model, &texture), Wrap::Clamp, of_light()?);
+    let subjects = [[of_head()?], [bare]];
     let to_clip = to_clip(11.0, Vec3::new(-2.6, 0.7, -1.9), Vec3::new(-0.126, 0.157, 0.173))?;
     let light = Vec3::new(-0.8, 0.5, -0.3);
-    in_a_row([0.0, 3.0, 5.0].map(|level| Ok(picture(&head, Fixed(level), (light, to_clip), [THIRD, THIRD]))))
+    let picture = |subject: usize, level| {
+        Ok(picture(&subjects[subject], Fixed(level), (light, to_clip), [THIRD, THIRD]))
+    };
+    in_a_row([picture(0, 0.0), picture(0, 3.0), picture(1, 3.0)])
 }
 
 fn weights() -> anyhow::Result<Drawing> {
@@ -494,13 +486,13 @@ fn weights() -> anyhow::Result<Drawing> {
 const PER_FRAME: f32 = 0.04;
 
 /// The view of the flight, at a picture's number.
-pub(crate) fn flying_view(frame: usize) -> anyhow::Result<Mat4> {
+fn flying_view(frame: usize) -> anyhow::Result<Mat4> {
     let eye = Vec3::new(0.31, -0.55, 3.0 - PER_FRAME * frame as f32);
     view(eye, eye + Vec3::new(0.25, -0.12, -1.0), Vec3::Y).context("it looks somewhere")
 }
 
 /// The camera of the flight.
-pub(crate) fn flying(frame: usize, ratio: f32) -> anyhow::Result<Mat4> {
+fn flying(frame: usize, ratio: f32) -> anyhow::Result<Mat4> {
     Ok(perspective(45.0, ratio, 0.1, 1000.0)? * flying_view(frame)?)
 }
 

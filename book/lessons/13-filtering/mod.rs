@@ -2,8 +2,6 @@
 
 #[cfg(test)]
 mod answers;
-#[cfg(feature = "measure")]
-pub(crate) mod charts;
 pub(crate) mod figures;
 mod sketches;
 
@@ -17,5 +15,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     more_pictures: &[],
     figures: figures::FIGURES,
     #[cfg(feature = "measure")]
-    charts: &[charts::METHODS_CHART, charts::MIPMAPS_CHART, charts::LAYOUTS_CHART],
+    charts: &[],
 };
