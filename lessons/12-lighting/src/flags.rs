@@ -9,7 +9,7 @@ use crate::light::{Falloff, PointLight};
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct PointLightFlags {
     /// Where the light is
-    #[arg(long, value_name = "x,y,z", default_value = "1,1,2", value_parser = values::point, allow_hyphen_values = true)]
+    #[arg(long, value_name = "x,y,z", default_value = "1,1,2", value_parser = place, allow_hyphen_values = true)]
     pub light_at: DVec3,
 
     /// What of a surface's colour is seen where no light falls, from 0 on
@@ -55,6 +55,15 @@ pub struct StretchFlag {
     /// Stretch the model along its axes by factors above 0, before anything else
     #[arg(id = "stretch", long = "stretch", value_name = "x,y,z", default_value = "1,1,1", value_parser = factors, allow_hyphen_values = true)]
     pub factors: Vec3,
+}
+
+/// Beyond this a light has no direction that an `f32` could tell.
+const FARTHEST: f64 = 1e18;
+
+fn place(text: &str) -> Result<DVec3, String> {
+    let place = DVec3::from_array(values::numbers(text)?);
+    let near = place.abs().max_element() <= FARTHEST && !place.is_nan();
+    near.then_some(place).ok_or_else(|| "write 3 numbers from -1e18 to 1e18".into())
 }
 
 /// What shares and exponents may be at most.

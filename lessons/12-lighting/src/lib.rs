@@ -17,12 +17,17 @@
 
 pub mod flags;
 pub mod light;
+pub mod looks;
+pub mod normal_map;
 pub mod normalisation;
 pub mod power;
 pub mod reflection;
 pub mod scene;
 pub mod shader;
+pub mod specular_map;
 pub mod surface;
+pub mod tangent;
+pub mod toon;
 
 use clipping::{Cull, Drawn, Mesh};
 use common::{Image, Lesson, Method, Table};
@@ -33,6 +38,7 @@ use reflection::{Halfway, Mirrored, PointLit};
 use shader::{PerCorner, PerTriangle, draw, per_pixel};
 
 pub use light::{Falloff, PointLight, Reflected};
+pub use looks::{LOOKS, Look, Maps};
 pub use normalisation::NORMALISATIONS;
 pub use power::POWERS;
 pub use reflection::{blinn_phong, phong};
@@ -48,6 +54,7 @@ pub const LESSON: Lesson = Lesson {
         Table { name: "", job: "Light a surface", rows: || Method::rows(METHODS) },
         Table { name: "normalisations", job: "Make a normal 1 long", rows: || Method::rows(NORMALISATIONS) },
         Table { name: "powers", job: "Raise a cosine to a power", rows: || Method::rows(POWERS) },
+        Table { name: "looks", job: "Choose what the surface brings", rows: || Method::rows(LOOKS) },
     ],
 };
 
@@ -61,25 +68,25 @@ pub const METHODS: &[Method<Draw>] = &[
         run: |scene, mesh, cull, image| {
             draw(&PerTriangle::<PointLit<Mirrored>>::new(scene), mesh, cull, image)
         },
-        promise: "Phong's model once a triangle, with the triangle's own normal",
-        failure: "facets, and a highlight is a whole triangle or none",
+        promise: "Phong's model once a triangle, at its middle, with its own normal",
+        failure: "facets; a highlight is a whole triangle or none",
     },
     Method {
         name: "phong-vertex",
         run: |scene, mesh, cull, image| draw(&PerCorner::<PointLit<Mirrored>>::new(scene), mesh, cull, image),
-        promise: "Phong's model once a vertex; smooth where triangles are small",
-        failure: "a highlight smaller than a triangle is missed, or has the triangle's shape, and swims as the model turns",
+        promise: "Phong's model once a vertex; between corners two sums are interpolated",
+        failure: "a highlight smaller than a triangle is missed or has its shape, and swims as the model turns",
     },
     Method {
         name: "phong",
         run: per_pixel::<Mirrored, Exact, Powf>,
-        promise: "Phong's model at each pixel: highlights of any size, wherever they are",
-        failure: "with exponents below about 5 the highlight ends in an edge where r·v is 0",
+        promise: "Phong's model at each pixel: highlights of any size, anywhere in a triangle",
+        failure: "highlights stay as wide as long where light and eye are low, where those of real surfaces grow long",
     },
     Method {
         name: "blinn-phong",
         run: per_pixel::<Halfway, Exact, Powf>,
-        promise: "Blinn's half-way vector at each pixel: no edge, and highlights that grow long at grazing angles, as real ones do",
-        failure: "one vector more to be made 1 long; about four times Phong's exponent for the same highlight",
+        promise: "Blinn's half-way vector at each pixel: highlights grow long where light and eye are low",
+        failure: "one vector more to make 1 long; a highlight of a small exponent ends in an edge where the light just grazes",
     },
 ];

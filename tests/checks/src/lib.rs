@@ -8,6 +8,7 @@
 //! | [`clipspace`] | which side of a triangle of clip space is seen, in `i128`; what a ray meets of it, in `f64` |
 //! | [`texel`] | the texel of a texture coordinate, in `i128` |
 //! | [`sphere`] | a smooth sphere under a light, by its equation |
+//! | [`lamp`] | a smooth surface under a lamp, a ray at a time, in `f64` |
 //! | [`matrix`] | the inverse of a matrix, in rational numbers |
 //! | [`turn`] | rotations about an axis, in `f64` |
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
@@ -23,6 +24,7 @@
 pub mod camera;
 pub mod clipspace;
 pub mod coverage;
+pub mod lamp;
 pub mod matrix;
 pub mod picture;
 pub mod ray;
