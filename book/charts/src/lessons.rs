@@ -12,6 +12,8 @@ use crate::measuring::table::Chart;
 pub(crate) mod camera;
 #[path = "../../lessons/11-clipping/mod.rs"]
 pub(crate) mod clipping;
+#[path = "../../lessons/13-filtering/mod.rs"]
+pub(crate) mod filtering;
 #[path = "../../lessons/06-gouraud/mod.rs"]
 pub(crate) mod gouraud;
 #[path = "../../lessons/12-lighting/mod.rs"]
@@ -47,6 +49,7 @@ pub const LESSONS: &[Lesson] = &[
     perspective::LESSON,
     clipping::LESSON,
     lighting::LESSON,
+    filtering::LESSON,
 ];
 
 /// What the book shows of a lesson.
