@@ -1,4 +1,4 @@
-//! `head.obj` and `head.tga`: a human head, sculpted and painted in code.
+//! A human head, sculpted and painted in code: `head.obj` and `head.tga`, the same in few triangles, and its maps.
 //!
 //! | module | what it does |
 //! |---|---|
@@ -6,16 +6,25 @@
 //! | [`surface`] | a fine mesh on the field's surface |
 //! | [`decimate`] | fewer triangles, most of them in the face |
 //! | [`atlas`] | where each point lies in the texture |
+//! | [`texels`] | which point each texel shows, and what is between the patches |
 //! | [`paint`] | the colour of each point |
+//! | [`shine`] | how much of a highlight each point shows |
+//! | [`relief`] | strands, pores and creases: finer than the field |
+//! | [`normals`] | the fine shape's normals, as maps for meshes with fewer triangles |
 //!
 //! The eyeballs are spheres of their own, behind the lids. So are the inside of the mouth and the ears' backs
 //! behind other surfaces: drawn without a depth buffer they shine through.
 
 pub mod atlas;
 pub mod decimate;
+pub mod noise;
+pub mod normals;
 pub mod paint;
+pub mod relief;
 pub mod shape;
+pub mod shine;
 pub mod surface;
+pub mod texels;
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -25,12 +34,16 @@ use common::Image;
 use glam::{DVec2, DVec3};
 
 use crate::mesh::{Corner, Mesh};
-use atlas::{Chart, chart};
+use atlas::{Chart, SIZE, chart};
+use normals::Normals;
 use shape::{EYE, EYE_RADIUS, MOUTH, NOSE_BASE};
 use surface::Surface;
+use texels::{Point, Texels};
 
 /// Triangles of the head without its eyeballs.
 const TRIANGLES: usize = 5600;
+/// The same of the head in few triangles.
+const LOW_TRIANGLES: usize = 350;
 /// Model units per head height: the bust is 1.49 head heights tall.
 const SCALE: f64 = 1.34;
 /// What is in the middle of the model, in head heights.
@@ -39,9 +52,16 @@ const MIDDLE: DVec3 = DVec3::new(0.0, -0.207, 0.0);
 /// The bust in few triangles, which model and texture share.
 static BUST: LazyLock<Surface> = LazyLock::new(|| simplified(TRIANGLES));
 
+/// The bust in very few triangles, whose texels lie a little beyond the patches of the other.
+static LOW_BUST: LazyLock<Surface> = LazyLock::new(|| simplified(LOW_TRIANGLES));
+
+/// The normals in the maps among the assets.
+pub(super) static NORMALS: LazyLock<Normals> = LazyLock::new(|| fine_normals(1.0));
+
 /// The bust in about so many triangles.
 fn simplified(triangles: usize) -> Surface {
-    let mut bust = decimate::decimate(surface::surface(), triangles, importance);
+    static FINE: LazyLock<Surface> = LazyLock::new(surface::surface);
+    let mut bust = decimate::decimate(FINE.clone(), triangles, importance);
     for (p, &place) in bust.positions.iter_mut().zip(&bust.places) {
         for _ in 0..3 {
             *p = surface::settle(*p, place);
@@ -50,18 +70,16 @@ fn simplified(triangles: usize) -> Surface {
     bust
 }
 
-/// A corner of a triangle of the head.
-struct Point {
-    /// In head heights.
-    position: DVec3,
-    uv: DVec2,
-    normal: DVec3,
-}
-
 /// The model.
 #[must_use]
 pub fn model() -> Mesh {
     mesh_of(&BUST)
+}
+
+/// The model in few triangles: 638, of which 288 are the eyeballs'.
+#[must_use]
+pub fn low_model() -> Mesh {
+    mesh_of(&LOW_BUST)
 }
 
 /// The model with a bust of about so many triangles; more than [`surface`] makes are not to be had.
@@ -100,8 +118,58 @@ fn number<T>(known: &mut BTreeMap<[i32; 3], usize>, list: &mut Vec<T>, key: [i32
 /// The texture.
 #[must_use]
 pub fn texture() -> Image {
-    let skin = bust(&BUST).map(|triangle| triangle.map(|point| (point.uv, point.position, point.normal)));
-    paint::paint(skin)
+    paint::paint(&texels(&BUST, from_axis), &texels(&LOW_BUST, from_axis))
+}
+
+/// The map of shares of a highlight, half as wide and high as the texture.
+#[must_use]
+pub fn shine_map() -> Image {
+    shine::paint(&texels(&BUST, from_axis), &texels(&LOW_BUST, from_axis)).scale(SIZE / 2, SIZE / 2)
+}
+
+/// The normals of the fine shape by texel, with this share of the relief that is in no mesh. Of the ears, which share their
+/// patches, they are the left one's.
+#[must_use]
+pub fn fine_normals(relief: f64) -> Normals {
+    Normals::of(&texels(&BUST, left_first), &texels(&LOW_BUST, left_first), relief)
+}
+
+/// The map of normals in object space.
+#[must_use]
+pub fn normal_map(normals: &Normals) -> Image {
+    normals.in_object_space()
+}
+
+/// The map of normals in the tangent space of [`model`].
+#[must_use]
+pub fn tangent_map(normals: &Normals) -> Image {
+    tangent_map_for(&BUST, normals)
+}
+
+/// The map of normals in the tangent space of [`low_model`].
+#[must_use]
+pub fn low_tangent_map(normals: &Normals) -> Image {
+    tangent_map_for(&LOW_BUST, normals)
+}
+
+fn tangent_map_for(surface: &Surface, normals: &Normals) -> Image {
+    let triangles: Vec<[Point; 3]> = bust(surface).chain(eye(1.0)).collect();
+    normals.in_tangent_space(&triangles, &Texels::of(&triangles, left_first))
+}
+
+/// What the texels show of a bust; of several points, that which is ranked highest.
+fn texels(surface: &Surface, rank: fn(DVec3) -> f64) -> Texels {
+    Texels::of(&bust(surface).collect::<Vec<_>>(), rank)
+}
+
+/// The square of the distance from the axis.
+fn from_axis(p: DVec3) -> f64 {
+    p.x * p.x + p.z * p.z
+}
+
+/// The same, but all of the left half before the right one.
+fn left_first(p: DVec3) -> f64 {
+    from_axis(p) + if p.x > 0.0 { 10.0 } else { 0.0 }
 }
 
 /// The triangles of the bust.
@@ -118,7 +186,9 @@ fn bust(surface: &Surface) -> impl Iterator<Item = [Point; 3]> {
             // a triangle keeps its own normal.
             let bent = chart == Chart::Base || smooth[i].dot(flat) < 0.1;
             let normal = if bent { flat } else { smooth[i] };
-            Point { position, uv: chart.uv(position, (a + b + c) / 3.0), normal }
+            // A large triangle at the seam may reach a little beyond the texture.
+            let uv = chart.uv(position, (a + b + c) / 3.0).clamp(DVec2::ZERO, DVec2::ONE);
+            Point { position, uv, normal }
         };
         triangle.map(point)
     })

@@ -6,7 +6,7 @@
 //! | [`sphere`] | `sphere.obj`, 5,000 triangles |
 //! | [`cube`] | `cube.obj`, the whole texture on each face |
 //! | [`torus_knot`] | `torus-knot.obj`, a knotted tube |
-//! | [`head`] | `head.obj` and `head.tga`, the face of the course |
+//! | [`head`] | `head.obj` and `head.tga`, the face of the course; `head-low.obj`, the same in few triangles; its maps |
 //! | [`wood`] | `crate.png`, a painted wooden box |
 //! | [`floor`] | `floor.obj`, a plane to the horizon, `slabs.obj`, the same in fewer pieces, and `checks.png` for both |
 //!
@@ -21,6 +21,7 @@ pub mod sphere;
 pub mod torus_knot;
 pub mod wood;
 
+use common::Image;
 use common::file::Encoding;
 
 /// A file of this folder: its name and its bytes.
@@ -38,8 +39,17 @@ pub const ASSETS: &[Asset] = &[
     Asset { name: "torus-knot.obj", make: || torus_knot::torus_knot(240, 12).to_obj().into_bytes() },
     Asset { name: "head.obj", make: || head::model().to_obj().into_bytes() },
     Asset { name: "head.tga", make: || head::texture().encode(Encoding::TgaRle).expect("it has pixels") },
+    Asset { name: "head-low.obj", make: || head::low_model().to_obj().into_bytes() },
+    Asset { name: "head-normals.png", make: || png(&head::normal_map(&head::NORMALS)) },
+    Asset { name: "head-tangents.png", make: || png(&head::tangent_map(&head::NORMALS)) },
+    Asset { name: "head-low-tangents.png", make: || png(&head::low_tangent_map(&head::NORMALS)) },
+    Asset { name: "head-shine.png", make: || png(&head::shine_map()) },
     Asset { name: "floor.obj", make: || floor::floor().to_obj().into_bytes() },
     Asset { name: "slabs.obj", make: || floor::slabs().to_obj().into_bytes() },
-    Asset { name: "checks.png", make: || floor::checks().encode(Encoding::Png).expect("it has pixels") },
-    Asset { name: "crate.png", make: || wood::crate_side(256).encode(Encoding::Png).expect("it has pixels") },
+    Asset { name: "checks.png", make: || png(&floor::checks()) },
+    Asset { name: "crate.png", make: || png(&wood::crate_side(256)) },
 ];
+
+fn png(image: &Image) -> Vec<u8> {
+    image.encode(Encoding::Png).expect("it has pixels")
+}

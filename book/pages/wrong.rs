@@ -11,6 +11,7 @@ use zbuffer::{DepthBuffer, fill_nearest};
 
 use crate::figures::picture::{all_beside, beside, canvas, model, painted};
 use crate::figures::{Drawing, Figure};
+use crate::lessons::filtering::figures::to_the_horizon;
 use crate::lessons::perspective::figures::{ball_before, two_floors, two_triangles};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -81,6 +82,11 @@ pub(crate) const FIGURES: &[Figure] = &[
         "wrong-fighting",
         "A blue floor to the horizon, and the same floor with orange stripes in its far half.",
         || all_beside(["reversed-z-f32", "z24"].map(|keep| two_floors(keep, 440))),
+    ),
+    Figure::new(
+        "wrong-sparkles",
+        "A chequered floor that fades evenly towards the horizon, and the same floor with grains and false patterns there.",
+        || all_beside(["trilinear", "nearest"].map(to_the_horizon)),
     ),
     Figure::new(
         "wrong-aspect",

@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use common::{Attributes, Image, Model, Vec3};
+use common::{Attributes, Color, DVec3, Image, Model, Vec3};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets");
 
@@ -22,6 +22,7 @@ fn every_model_is_closed_and_turned_outwards() {
         ("torus-knot.obj", 5760..=5760, 1),
         // The bust and two eyeballs.
         ("head.obj", 2500..=6000, 3),
+        ("head-low.obj", 638..=638, 3),
     ] {
         let model = read(name);
         assert!(triangles.contains(&model.faces().len()), "{name}: {} triangles", model.faces().len());
@@ -124,16 +125,67 @@ fn the_floor_lies_under_the_head() {
 
 #[test]
 fn files_are_small() {
-    for (name, limit) in [("head.obj", 600_000), ("head.tga", 3_000_000)] {
-        let size = std::fs::metadata(Path::new(FOLDER).join(name)).unwrap().len();
-        assert!(size <= limit, "{name}: {size} bytes");
+    let maps = ["head-normals.png", "head-tangents.png", "head-low-tangents.png", "head-shine.png"];
+    for (names, limit) in [(&["head.obj"][..], 600_000), (&["head.tga"], 3_000_000), (&maps, 2_700_000)] {
+        let size = |name: &&str| std::fs::metadata(Path::new(FOLDER).join(name)).unwrap().len();
+        let size: u64 = names.iter().map(size).sum();
+        assert!(size <= limit, "{names:?}: {size} bytes");
     }
 }
 
 #[test]
 fn the_textures_are_pictures() {
-    for (name, size) in [("crate.png", (256, 256)), ("head.tga", (1024, 1024)), ("checks.png", (2, 2))] {
+    for (name, size) in [
+        ("crate.png", (256, 256)),
+        ("head.tga", (1024, 1024)),
+        ("checks.png", (2, 2)),
+        ("head-normals.png", (1024, 1024)),
+        ("head-tangents.png", (1024, 1024)),
+        ("head-low-tangents.png", (1024, 1024)),
+        ("head-shine.png", (512, 512)),
+    ] {
         let picture = Image::read(&Path::new(FOLDER).join(name)).unwrap();
         assert_eq!((picture.width(), picture.height()), size, "{name}");
     }
+}
+
+/// Between the patches of the head's texture nothing is left black, and a smaller copy of it has no dark seams.
+#[test]
+fn the_head_s_texture_is_padded() {
+    let texture = Image::read(&Path::new(FOLDER).join("head.tga")).unwrap();
+    assert_eq!(texture.pixels().find(|(.., color)| *color == Color::BLACK), None);
+}
+
+/// A texel of a map of normals is a direction: 1 long but for the rounding to 8 bits.
+#[test]
+fn the_maps_of_normals_hold_unit_vectors() {
+    for name in ["head-normals.png", "head-tangents.png", "head-low-tangents.png"] {
+        let map = Image::read(&Path::new(FOLDER).join(name)).unwrap();
+        let channel = |code: u8| (f32::from(code) - 128.0) / 127.0;
+        for (x, y, Color { r, g, b, .. }) in map.pixels() {
+            let length = Vec3::new(channel(r), channel(g), channel(b)).length();
+            assert!((0.99..1.01).contains(&length), "{name} ({x}, {y}): {length}");
+        }
+    }
+}
+
+/// What 8 bits a channel cost of a direction.
+#[test]
+fn a_texel_is_off_by_four_tenths_of_a_degree_at_most() {
+    let (mut sum, mut most, count) = (0.0, 0.0_f64, 100_000);
+    for n in 0..count {
+        // Points of a spiral, evenly over the sphere (Vogel 1979).
+        let z = 1.0 - (2.0 * f64::from(n) + 1.0) / f64::from(count);
+        let around = 2.399_963_229_728_653 * f64::from(n);
+        let flat = (1.0 - z * z).sqrt();
+        let normal = DVec3::new(flat * around.cos(), flat * around.sin(), z);
+        let Color { r, g, b, .. } = assets::head::normals::encoded(normal);
+        let channel = |code: u8| (f64::from(code) - 128.0) / 127.0;
+        let off = normal.angle_between(DVec3::new(channel(r), channel(g), channel(b))).to_degrees();
+        sum += off;
+        most = most.max(off);
+    }
+    // Half a step along each channel at most: 0.5·√3/127, which is 0.39°.
+    let mean = sum / f64::from(count);
+    assert!((0.16..0.18).contains(&mean) && (0.36..0.391).contains(&most), "mean {mean}, most {most}");
 }

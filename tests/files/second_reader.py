@@ -18,10 +18,18 @@ MODELS = [
     ("cube.obj", 12, 12, 1),
     ("torus-knot.obj", 5760, 5760, 1),
     ("head.obj", 2500, 6000, 3),
+    ("head-low.obj", 638, 638, 3),
 ]
 
-# Name and side of the textures.
-TEXTURES = [("head.tga", 1024), ("crate.png", 256)]
+# Name, side and mode of the textures.
+TEXTURES = [
+    ("head.tga", 1024, "RGB"),
+    ("crate.png", 256, "RGB"),
+    ("head-normals.png", 1024, "RGB"),
+    ("head-tangents.png", 1024, "RGB"),
+    ("head-low-tangents.png", 1024, "RGB"),
+    ("head-shine.png", 512, "L"),
+]
 
 
 def faults(name, least, most, bodies):
@@ -49,15 +57,15 @@ def faults(name, least, most, bodies):
     return [f"{name}: {fault}" for fault, passed in tests.items() if not passed]
 
 
-def texture_faults(name, side):
+def texture_faults(name, side, mode):
     """What is wrong with a texture, a line each."""
     # Loading fails where the file's pixels are not all there.
     picture = Image.open(FOLDER / name)
     picture.load()
     tests = {
         f"{picture.size} pixels": picture.size == (side, side),
-        f"{picture.mode} pixels": picture.mode == "RGB",
-        "of one colour": len(set(picture.resize((64, 64)).get_flattened_data())) > 100,
+        f"{picture.mode} pixels": picture.mode == mode,
+        "of one colour": len(set(picture.resize((64, 64)).get_flattened_data())) > (100 if mode == "RGB" else 20),
     }
     return [f"{name}: {fault}" for fault, passed in tests.items() if not passed]
 

@@ -54,6 +54,9 @@ pub fn chart(corners: [DVec3; 3], normal: DVec3) -> Chart {
 
 /// Height of the strip of patches, in texels.
 const STRIP: f64 = 144.0;
+/// The middle and the radius of the eye's patch, in texels.
+const EYE_MIDDLE: DVec2 = DVec2::splat(72.0);
+const EYE_REACH: f64 = 62.0;
 
 impl Chart {
     /// The texture coordinates of a point, which is near `near`: of the two sides of the seam, that one's.
@@ -64,7 +67,7 @@ impl Chart {
         let texel = match self {
             Self::Around => return around(p, near),
             // Left edge, texels per head height, and the point in the patch.
-            Self::Eye => DVec2::new(72.0, 72.0) + eye(p) * 62.0,
+            Self::Eye => EYE_MIDDLE + eye(p) * EYE_REACH,
             Self::EarFront => DVec2::new(144.0, 8.0) + side * 340.0,
             Self::EarBack => DVec2::new(272.0, 8.0) + side * 340.0,
             Self::Crown => DVec2::new(474.0, 72.0) + DVec2::new(p.x, -0.05 - p.z) * 180.0,
@@ -116,9 +119,15 @@ fn eye(p: DVec3) -> DVec2 {
     q.truncate().normalize_or_zero() * angle.min(1.0)
 }
 
-/// The point of the unit eyeball at a place in the unit disc of the eye's patch.
-#[must_use]
-pub fn on_eye(disc: DVec2) -> DVec3 {
-    let angle = (disc.length() * 80.0).to_radians();
-    (disc.normalize_or_zero() * libm::sin(angle)).extend(libm::cos(angle))
+/// The texels of the eye's patch, and a few around it: column, row, and the point of the unit eyeball that each shows.
+pub fn eye_texels() -> impl Iterator<Item = (i32, i32, DVec3)> {
+    let disc = |x: i32, y: i32| (DVec2::new(f64::from(x), f64::from(y)) - (EYE_MIDDLE - 0.5)) / EYE_REACH;
+    let texels = (0..144).flat_map(|y| (0..144).map(move |x| (x, y)));
+    texels.map(move |(x, y)| (x, y, disc(x, y))).filter(|(.., disc)| disc.length() < 1.1).map(
+        |(x, y, disc)| {
+            let disc = disc.clamp_length_max(1.0);
+            let angle = (disc.length() * 80.0).to_radians();
+            (x, y, (disc.normalize_or_zero() * libm::sin(angle)).extend(libm::cos(angle)))
+        },
+    )
 }

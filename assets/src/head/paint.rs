@@ -4,13 +4,15 @@
 //! sockets, nostrils and ears, is painted in: the field says how open a point is.
 
 use common::{Color, Format, Image};
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
-use super::atlas::{SIZE, on_eye};
+use super::atlas::eye_texels;
+use super::noise::{bump, noise};
 use super::shape::{
     BROW, EYE, EYE_HALF, MOUTH, MOUTH_HALF, NOSE_BASE, above_hairline, body, ear, eye_opening, lips,
     lower_lid, mouth, mouth_line, nostril, step, upper_lid,
 };
+use super::texels::{Sheet, Texel, Texels};
 
 /// A colour by its hexadecimal digits.
 const fn hex(rgb: u32) -> DVec3 {
@@ -34,82 +36,18 @@ const HAIR_LIGHT: DVec3 = hex(0x6b4b33);
 const HOLLOW: DVec3 = hex(0x3a1512);
 const SHADOW: DVec3 = hex(0x8a6152);
 
-/// Paints the texture. Each corner of each triangle: texture coordinates, position in head heights, normal.
+/// Paints the texture: the bust, an eye, and what a coarser bust shows beyond the patches of this one.
 #[must_use]
-pub fn paint(triangles: impl Iterator<Item = [(DVec2, DVec3, DVec3); 3]>) -> Image {
-    let side = usize::from(SIZE);
-    let mut points: Vec<Option<(DVec3, DVec3)>> = vec![None; side * side];
-    for triangle in triangles {
-        rasterize(triangle, &mut points);
-    }
-    let mut image = Image::new(SIZE, SIZE, Format::Rgb);
-    for y in 0..side {
-        for x in 0..side {
-            if let Some((p, normal)) = points[y * side + x] {
-                // The point on the triangle, brought onto the surface under it.
-                let p = p - normal * body(p);
-                image.set(x as i32, y as i32, color(skin(p, normal)));
-            }
-        }
-    }
-    // Texels around the patches, which rounding may fetch, repeat their neighbours.
-    let mut known: Vec<bool> = points.iter().map(Option::is_some).collect();
-    for _ in 0..4 {
-        grow(&mut image, &mut known);
-    }
-    paint_eye(&mut image);
-    image
-}
-
-/// Notes the point and the normal of every texel whose centre a triangle covers; of several, those farthest from
-/// the axis.
-fn rasterize(triangle: [(DVec2, DVec3, DVec3); 3], points: &mut [Option<(DVec3, DVec3)>]) {
-    let side = f64::from(SIZE);
-    let [a, b, c] = triangle.map(|(uv, ..)| uv * side - 0.5);
-    let area = (b - a).perp_dot(c - a);
-    let (low, high) = (a.min(b).min(c).ceil(), a.max(b).max(c).floor().min(DVec2::splat(side - 1.0)));
-    for y in low.y as usize..=high.y as usize {
-        for x in low.x as usize..=high.x as usize {
-            let p = DVec2::new(x as f64, y as f64);
-            let weights = [(c - b).perp_dot(p - b), (a - c).perp_dot(p - c), (b - a).perp_dot(p - a)];
-            let weights = weights.map(|w| w / area);
-            if weights.iter().any(|w| !(-1e-9..).contains(w)) {
-                continue;
-            }
-            let (mut position, mut normal) = (DVec3::ZERO, DVec3::ZERO);
-            for (weight, (_, p, n)) in weights.into_iter().zip(triangle) {
-                position += p * weight;
-                normal += n * weight;
-            }
-            let out = |p: DVec3| p.x * p.x + p.z * p.z;
-            let at = &mut points[y * usize::from(SIZE) + x];
-            if at.is_none_or(|(other, _)| out(position) > out(other)) {
-                *at = Some((position, normal.normalize_or_zero()));
-            }
-        }
-    }
-}
-
-/// Gives each texel without a colour that of a neighbour with one.
-fn grow(image: &mut Image, known: &mut [bool]) {
-    let before = known.to_vec();
-    let side = i32::from(SIZE);
-    for y in 0..side {
-        for x in 0..side {
-            let at = |x: i32, y: i32| (y * side + x) as usize;
-            if before[at(x, y)] {
-                continue;
-            }
-            for (dx, dy) in [(-1, 0), (1, 0), (0, -1), (0, 1)] {
-                let (nx, ny) = (x + dx, y + dy);
-                if image.bounds().contains(nx, ny) && before[at(nx, ny)] {
-                    image.set(x, y, image.get(nx, ny).unwrap_or(Color::BLACK));
-                    known[at(x, y)] = true;
-                    break;
-                }
-            }
-        }
-    }
+pub fn paint(bust: &Texels, coarse: &Texels) -> Image {
+    let mut texture = Sheet::new(Format::Rgb);
+    // The point on the triangle is brought onto the surface under it.
+    let paint = |Texel { position: p, normal, .. }| color(skin(p - normal * body(p), normal));
+    bust.iter().for_each(|(x, y, texel)| texture.set(x, y, paint(texel)));
+    // Around a patch, where rounding may fetch a texel, it repeats itself.
+    texture.grow(4);
+    eye_texels().for_each(|(x, y, q)| texture.set(x, y, color(eye(q))));
+    coarse.iter().for_each(|(x, y, texel)| texture.set_unknown(x, y, || paint(texel)));
+    texture.padded()
 }
 
 /// The colour of a point of the bust.
@@ -134,8 +72,13 @@ fn skin(p: DVec3, normal: DVec3) -> DVec3 {
     c = c.lerp(STUBBLE, 0.42 * beard(side, p));
     c = paint_lips(c, side, p);
     c = paint_lids(c, side);
-    c = paint_brow(c, side, p);
-    c = paint_hair(c, side, p);
+    if let Some((dense, hair)) = brow(side, p) {
+        c = c.lerp(HAIR, dense * (0.7 + 0.3 * hair));
+    }
+    if let Some(Strands { cover, strand, fine }) = hair(side, p) {
+        let tone = HAIR.lerp(HAIR_LIGHT, (0.65 * strand + 0.5 * fine - 0.15).clamp(0.0, 1.0));
+        c = c.lerp(tone, cover);
+    }
     let closed = occlusion(p, normal);
     c *= DVec3::ONE.lerp(SHADOW, closed);
     let hollow = step((0.005 - mouth(side)) / 0.004).max(step((0.005 - nostril(side)) / 0.006));
@@ -143,7 +86,7 @@ fn skin(p: DVec3, normal: DVec3) -> DVec3 {
 }
 
 /// Where the beard grows, less in some places than in others: speckles on a shade.
-fn beard(side: DVec3, p: DVec3) -> f64 {
+pub(super) fn beard(side: DVec3, p: DVec3) -> f64 {
     let edge = 0.03 * (noise(p * 14.0) - 0.5);
     // Below a line from the sideburn over the cheek to the nose, above the throat.
     let cheek = -0.12 - 0.55 * (0.3 - side.x).max(0.0) + 0.25 * (side.z - 0.2).max(0.0);
@@ -153,15 +96,21 @@ fn beard(side: DVec3, p: DVec3) -> f64 {
     below.max(moustache) * above * (0.7 + 0.5 * step(noise(p * 190.0) * 1.6 - 0.5))
 }
 
-/// The red of the lips, darker towards the line between them.
-fn paint_lips(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
+/// How much a point belongs to the lips, and how high it lies between their creases; both from 0 to 1.
+pub(super) fn lip(side: DVec3, p: DVec3) -> Option<(f64, f64)> {
     let t = side.x / MOUTH_HALF;
     if side.z < 0.3 || t > 1.1 || (side.y - MOUTH).abs() > 0.1 {
-        return c;
+        return None;
     }
     let on_lips = step((0.0055 - lips(side)) / 0.004) * step((0.96 - t) / 0.25);
-    let wrinkles = 0.9 + 0.2 * noise(DVec3::new(p.x * 170.0, p.y * 20.0, 0.0));
-    let c = c.lerp(LIP * wrinkles, 0.85 * on_lips);
+    Some((on_lips, noise(DVec3::new(p.x * 170.0, p.y * 20.0, 0.0))))
+}
+
+/// The red of the lips, darker towards the line between them.
+fn paint_lips(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
+    let Some((on_lips, creases)) = lip(side, p) else { return c };
+    let t = side.x / MOUTH_HALF;
+    let c = c.lerp(LIP * (0.9 + 0.2 * creases), 0.85 * on_lips);
     let line = bump((side.y - mouth_line(side.x)) / 0.009) * step((1.0 - t) / 0.3);
     c.lerp(LIP_DARK, 0.85 * line)
 }
@@ -184,11 +133,11 @@ fn paint_lids(c: DVec3, side: DVec3) -> DVec3 {
     c.lerp(hex(0x2a1a14), 0.9 * lashes).lerp(hex(0x6e4238), 0.55 * rim)
 }
 
-/// A brow: short hairs that lie outwards.
-fn paint_brow(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
+/// A brow, of short hairs that lie outwards: how dense it is at a point, and how high the hairs are there; from 0 to 1.
+pub(super) fn brow(side: DVec3, p: DVec3) -> Option<(f64, f64)> {
     let t = (side.x - 0.045) / 0.195;
     if side.z < 0.1 || !(-0.2..1.2).contains(&t) {
-        return c;
+        return None;
     }
     let middle = BROW - 0.012 + 0.075 * t - 0.085 * t * t;
     let half = 0.019 * (1.0 - 0.62 * t.max(0.0));
@@ -198,15 +147,25 @@ fn paint_brow(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
     let hair = noise(DVec3::new(lean * 260.0, along * 24.0, p.x.signum() * 5.0));
     let edge = across.abs() / half + 0.7 * (hair - 0.5);
     let dense = step((1.15 - edge) / 0.6) * step((t + 0.06) / 0.15) * step((1.03 - t) / 0.2);
-    c.lerp(HAIR, dense * (0.7 + 0.3 * hair))
+    Some((dense, hair))
+}
+
+/// The hair of the head at a point; all from 0 to 1.
+pub(super) struct Strands {
+    /// How much of the skin it covers: less at the hairline.
+    pub(super) cover: f64,
+    /// How high a strand is.
+    pub(super) strand: f64,
+    /// How high a hair in it is.
+    pub(super) fine: f64,
 }
 
 /// The hair of the head: strands that run out from the whorl, thinner at the hairline.
-fn paint_hair(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
+pub(super) fn hair(side: DVec3, p: DVec3) -> Option<Strands> {
     let on_ear = step((0.008 - ear(side)) / 0.006);
     let height = above_hairline(side);
     if height < -0.06 || on_ear == 1.0 || side.y < -0.4 {
-        return c;
+        return None;
     }
     let from = p - DVec3::new(0.03, 0.4, -0.25);
     let around = libm::atan2(from.x, from.z + 0.4 * from.y.min(0.0));
@@ -214,13 +173,12 @@ fn paint_hair(c: DVec3, side: DVec3, p: DVec3) -> DVec3 {
     let strand = noise(DVec3::new(around * 60.0 + bend, from.length() * 7.0, 3.0));
     let fine = noise(DVec3::new(around * 170.0 + bend * 3.0, from.length() * 14.0, 7.0));
     let cover = step((height + 0.035 * (strand - 0.5) + 0.035 * (fine - 0.5) + 0.01) / 0.045);
-    let tone = HAIR.lerp(HAIR_LIGHT, (0.65 * strand + 0.5 * fine - 0.15).clamp(0.0, 1.0));
-    c.lerp(tone, cover * (1.0 - on_ear))
+    Some(Strands { cover: cover * (1.0 - on_ear), strand, fine })
 }
 
 /// How closed the surroundings of a point are, 0 to 1: along the normal the field grows as fast as the way, unless
 /// something else is near. After Evans, "Fast Approximations for Global Illumination on Dynamic Scenes" (2006).
-fn occlusion(p: DVec3, normal: DVec3) -> f64 {
+pub(super) fn occlusion(p: DVec3, normal: DVec3) -> f64 {
     let closed: f64 = [0.012, 0.03, 0.06, 0.1]
         .iter()
         .map(|&way| ((way - body(p + normal * way)) / way).clamp(0.0, 1.0))
@@ -228,20 +186,7 @@ fn occlusion(p: DVec3, normal: DVec3) -> f64 {
     (closed / 4.0 * 1.15).min(1.0)
 }
 
-/// The eye's patch: white with a few veins, iris and pupil.
-fn paint_eye(image: &mut Image) {
-    let center = DVec2::splat(71.5);
-    for y in 0..144 {
-        for x in 0..144 {
-            let disc = (DVec2::new(f64::from(x), f64::from(y)) - center) / 62.0;
-            if disc.length() < 1.1 {
-                image.set(x, y, color(eye(on_eye(disc.clamp_length_max(1.0)))));
-            }
-        }
-    }
-}
-
-/// The colour of a point of the unit eyeball that looks along z.
+/// The colour of a point of the unit eyeball that looks along z: white with a few veins, iris and pupil.
 fn eye(q: DVec3) -> DVec3 {
     /// Radius of the iris, in radii of the eyeball: 5.9 of 12 mm, as of an adult.
     const IRIS: f64 = 0.47;
@@ -259,30 +204,6 @@ fn eye(q: DVec3) -> DVec3 {
     c = c.lerp(hex(0x0c0a0a), step((0.45 - r) / 0.07));
     let lid = step((q.y - 0.02) / 0.42);
     c * (1.0 - 0.5 * lid)
-}
-
-/// 1 at 0, falling smoothly to 0 at ±1.
-fn bump(t: f64) -> f64 {
-    1.0 - step(t.abs())
-}
-
-/// Value noise from 0 to 1: random numbers at whole points, smoothly joined.
-fn noise(p: DVec3) -> f64 {
-    let low = p.floor();
-    let [tx, ty, tz] = (p - low).to_array().map(step);
-    let [x, y, z] = low.to_array().map(|n| n as i64 as u64);
-    let random = |dx: u64, dy: u64, dz: u64| {
-        let [x, y, z] = [x.wrapping_add(dx), y.wrapping_add(dy), z.wrapping_add(dz)];
-        let mut n = x.wrapping_mul(0x9e37_79b9_7f4a_7c15)
-            ^ y.wrapping_mul(0xc2b2_ae3d_27d4_eb4f)
-            ^ z.wrapping_mul(0x1656_67b1_9e37_79f9);
-        n = (n ^ (n >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93);
-        n = (n ^ (n >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93);
-        ((n ^ (n >> 32)) >> 40) as f64 / f64::from(1 << 24)
-    };
-    let row = |y: u64, z: u64| random(0, y, z) + (random(1, y, z) - random(0, y, z)) * tx;
-    let plane = |z: u64| row(0, z) + (row(1, z) - row(0, z)) * ty;
-    plane(0) + (plane(1) - plane(0)) * tz
 }
 
 /// A colour in 8 bits a channel; the last ones are left out, so that more texels are equal to their neighbour.

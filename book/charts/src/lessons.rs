@@ -12,8 +12,12 @@ use crate::measuring::table::Chart;
 pub(crate) mod camera;
 #[path = "../../lessons/11-clipping/mod.rs"]
 pub(crate) mod clipping;
+#[path = "../../lessons/13-filtering/mod.rs"]
+pub(crate) mod filtering;
 #[path = "../../lessons/06-gouraud/mod.rs"]
 pub(crate) mod gouraud;
+#[path = "../../lessons/12-lighting/mod.rs"]
+pub(crate) mod lighting;
 #[path = "../../lessons/01-lines/mod.rs"]
 pub(crate) mod lines;
 #[path = "../../lessons/10-perspective/mod.rs"]
@@ -44,6 +48,8 @@ pub const LESSONS: &[Lesson] = &[
     shaders::LESSON,
     perspective::LESSON,
     clipping::LESSON,
+    lighting::LESSON,
+    filtering::LESSON,
 ];
 
 /// What the book shows of a lesson.

@@ -14,7 +14,9 @@ mod finding;
 mod finish;
 mod frontier;
 mod head;
+mod lit;
 mod machine;
+mod maps;
 pub(crate) mod measure;
 pub(crate) mod models;
 mod needs;
@@ -60,8 +62,15 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: [Comparison; 5] =
-    [far::COMPARISON, savings::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
+const COMPARISONS: [Comparison; 7] = [
+    far::COMPARISON,
+    savings::COMPARISON,
+    lit::COMPARISON,
+    maps::COMPARISON,
+    needs::COMPARISON,
+    head::COMPARISON,
+    finish::COMPARISON,
+];
 
 /// Charts: what is behind the name of each file, and the SVG.
 type Pictures = Vec<(String, String)>;

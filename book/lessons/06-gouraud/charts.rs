@@ -33,7 +33,7 @@ pub(crate) const CHART: Chart = Chart {
         error: Quantity { name: "mean difference", unit: "grey levels of 255", limit: (1.0, "1 level") },
         measure: stability,
     },
-    wrong: &[],
+    wrong: &["none"],
     advice: &[
         ("gouraud", "round things"),
         ("flat", "things with flat faces, and models without normals"),

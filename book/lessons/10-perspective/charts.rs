@@ -109,7 +109,7 @@ pub(crate) const DIVISIONS_CHART: Chart = Chart {
     work: division_work,
     sizes: Sizes { name: "numbers", all: &[1000], usual: 1000 },
     stability: Stability {
-        stress: "x, in powers of two",
+        stress: "x",
         falling: false,
         error: Quantity {
             name: "largest error of 1/x",

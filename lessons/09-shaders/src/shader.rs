@@ -97,6 +97,18 @@ impl Varying for Vec2 {
     }
 }
 
+impl Varying for Vec3 {
+    #[inline]
+    fn times(self, weight: f32) -> Vec3 {
+        self * weight
+    }
+
+    #[inline]
+    fn plus(self, other: Vec3) -> Vec3 {
+        self + other
+    }
+}
+
 // ANCHOR: varying_pair
 impl<A: Varying, B: Varying> Varying for (A, B) {
     #[inline]

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use common::placement::Placement;
+use common::program::model::TexturedModelFlags;
 use common::{Attributes, DVec3, Image, Mat4, Model, Vec3};
 use gouraud::corner_normals;
 use gouraud::flags::SceneFlags;
@@ -28,10 +29,23 @@ impl Loaded {
     /// # Errors
     /// Where a file cannot be read.
     pub fn read(flags: &SceneFlags, origin: DVec3, floor: [&str; 2]) -> anyhow::Result<Vec<Self>> {
+        Self::read_model(&flags.model, flags.wrap, origin, floor)
+    }
+
+    /// The same where nothing but the model and what its texture is outside is asked for.
+    ///
+    /// # Errors
+    /// Where a file cannot be read.
+    pub fn read_model(
+        flags: &TexturedModelFlags,
+        wrap: Wrap,
+        origin: DVec3,
+        floor: [&str; 2],
+    ) -> anyhow::Result<Vec<Self>> {
         let needs = Attributes { normals: true, uvs: true };
-        let (model, texture) = flags.model.read_about(origin, needs)?;
-        let mut models = vec![Self::new(model, texture, flags.wrap)];
-        if !flags.model.is_given() {
+        let (model, texture) = flags.read_about(origin, needs)?;
+        let mut models = vec![Self::new(model, texture, wrap)];
+        if !flags.is_given() {
             let [model, texture] = floor.map(Path::new);
             let floor = Model::read_placed(model, needs, &Placement { origin, ..Placement::default() })?;
             models.push(Self::new(floor, Image::read(texture)?, Wrap::Repeat));

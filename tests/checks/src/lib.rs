@@ -8,6 +8,7 @@
 //! | [`clipspace`] | which side of a triangle of clip space is seen, in `i128`; what a ray meets of it, in `f64` |
 //! | [`texel`] | the texel of a texture coordinate, in `i128` |
 //! | [`sphere`] | a smooth sphere under a light, by its equation |
+//! | [`lamp`] | a smooth surface under a lamp, a ray at a time, in `f64` |
 //! | [`matrix`] | the inverse of a matrix, in rational numbers |
 //! | [`turn`] | rotations about an axis, in `f64` |
 //! | [`view`] | the basis of an eye, and what lies before it, in `f64` |
@@ -15,6 +16,7 @@
 //! | [`supersampled`] | a lit scene under a camera, in `f64`, with as many samples a pixel as wanted |
 //! | [`ray`] | what a ray from an eye meets, in `f64` |
 //! | [`camera`] | a frustum's matrix, and the distance of a depth, in `f64` |
+//! | [`footprint`] | what a pixel sees of a textured plane, in `f64`, with as many rays as wanted |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
@@ -23,6 +25,8 @@
 pub mod camera;
 pub mod clipspace;
 pub mod coverage;
+pub mod footprint;
+pub mod lamp;
 pub mod matrix;
 pub mod picture;
 pub mod ray;

@@ -269,15 +269,11 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
     let words = Words { title: of.title.clone(), reading: of.reading.clone(), caption: of.caption.clone() };
     let mut card = Card::new(layout, &words, [&x, &y]);
     let mut obstacles = Vec::new();
-    if let Some((limit, name)) = of.limit {
-        let height = card.at([0.0, y_scale.at(limit)])[1];
+    let limit = of.limit.map(|(limit, name)| (card.at([0.0, y_scale.at(limit)])[1], name));
+    if let Some((height, _)) = limit {
         let ends = [[card.plot.left, height], [card.plot.right, height]];
         card.line(ends, "rule", 1.0, Some("5 4"));
-        let (size, width) = (layout.label, text_width(name, layout.label));
-        let text = [card.plot.right - 4.0, height - 5.0];
-        card.text(name, text, "ink", "end", size, false);
         obstacles.push(Rect::around(ends, 2.0));
-        obstacles.push(Rect::around([[text[0] - width, height - 5.0 - size], [text[0], height]], 0.0));
     }
     let mut anchors = Vec::new();
     for (n, line) in of.lines.iter().enumerate() {
@@ -295,11 +291,34 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
         obstacles.extend(path.windows(2).flat_map(|ends| along(ends[0], ends[1])));
         anchors.push((*path.last().unwrap_or(&[0.0; 2]), card.label_size(&line.name)));
     }
+    if let Some((height, name)) = limit {
+        obstacles.push(name_limit(&mut card, height, name, &obstacles[1..]));
+    }
     for (line, label) in of.lines.iter().zip(place(&anchors, &obstacles, card.plot)) {
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, line.name))?;
         card.label(&line.name, &label, line.hue, false);
     }
     Ok(card.finish())
+}
+
+/// Writes the name of a horizontal line at that height, above it or below, as far to the right as it covers nothing, or else as
+/// little as can be. Returns where it is.
+fn name_limit(card: &mut Card, height: f64, name: &str, obstacles: &[Rect]) -> Rect {
+    let (size, width) = (card.layout.label, text_width(name, card.layout.label));
+    let plot = card.plot;
+    let rect = |right: f64, foot: f64| Rect::around([[right - width, foot - size], [right, foot + 4.0]], 0.0);
+    let feet = [height - 5.0, height + size + 4.0];
+    let rights =
+        (0..).map(|step| plot.right - 4.0 - 8.0 * f64::from(step)).take_while(|x| x - width > plot.left);
+    let covered = |&[right, foot]: &[f64; 2]| {
+        let rect = rect(right, foot);
+        let below = if rect.bottom > plot.bottom { obstacles.len() } else { 0 };
+        below + obstacles.iter().filter(|other| other.overlaps(&rect)).count()
+    };
+    let places = rights.flat_map(|right| feet.map(|foot| [right, foot]));
+    let [right, foot] = places.min_by_key(covered).unwrap_or([plot.right - 4.0, feet[0]]);
+    card.text(name, [right, foot], "ink", "end", size, false);
+    rect(right, foot)
 }
 
 /// Small rectangles along a line.
