@@ -24,7 +24,7 @@
 //! This package's own tests:
 //!
 //! ```text
-//! files/      bad files, and the assets made again
+//! files/      bad files, what a terminal shows, and the assets made again
 //! platforms/  the pictures, their bytes counted, on other platforms
 //! ```
 
