@@ -11,7 +11,8 @@ mod digits;
 mod draw;
 mod far;
 mod finding;
-mod finish;
+pub(crate) mod finish;
+mod flight;
 mod frontier;
 mod head;
 mod machine;
@@ -25,6 +26,7 @@ mod speed;
 mod summary;
 pub(crate) mod table;
 mod timer;
+mod walks;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
@@ -60,8 +62,15 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: [Comparison; 5] =
-    [far::COMPARISON, savings::COMPARISON, needs::COMPARISON, head::COMPARISON, finish::COMPARISON];
+const COMPARISONS: &[Comparison] = &[
+    far::COMPARISON,
+    savings::COMPARISON,
+    flight::COMPARISON,
+    walks::COMPARISON,
+    needs::COMPARISON,
+    head::COMPARISON,
+    finish::COMPARISON,
+];
 
 /// Charts: what is behind the name of each file, and the SVG.
 type Pictures = Vec<(String, String)>;
