@@ -16,6 +16,7 @@
 //! | [`supersampled`] | a lit scene under a camera, in `f64`, with as many samples a pixel as wanted |
 //! | [`ray`] | what a ray from an eye meets, in `f64` |
 //! | [`camera`] | a frustum's matrix, and the distance of a depth, in `f64` |
+//! | [`footprint`] | what a pixel sees of a textured plane, in `f64`, with as many rays as wanted |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
@@ -24,6 +25,7 @@
 pub mod camera;
 pub mod clipspace;
 pub mod coverage;
+pub mod footprint;
 pub mod lamp;
 pub mod matrix;
 pub mod picture;

@@ -140,7 +140,7 @@ impl ByPower {
 }
 
 /// What is called in the tables by what it should be.
-const RIGHT: &str = "what should change";
+const RIGHT: &str = "expected";
 
 /// Flies, measures and writes.
 fn measure(run: &mut Run) -> anyhow::Result<()> {
@@ -294,7 +294,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
                 change("trilinear")
             ),
             reading:
-                "From each picture of a flight to the next: how far a change is from what it should be (RMS)."
+                "From each picture of a flight to the next: how far a change is from the expected one (RMS)."
                     .into(),
             across: "length of a pixel's footprint, texels →".into(),
             falling: false,
