@@ -16,6 +16,8 @@ pub(crate) mod clipping;
 pub(crate) mod filtering;
 #[path = "../../lessons/06-gouraud/mod.rs"]
 pub(crate) mod gouraud;
+#[path = "../../lessons/12-lighting/mod.rs"]
+pub(crate) mod lighting;
 #[path = "../../lessons/01-lines/mod.rs"]
 pub(crate) mod lines;
 #[path = "../../lessons/10-perspective/mod.rs"]
@@ -46,6 +48,7 @@ pub const LESSONS: &[Lesson] = &[
     shaders::LESSON,
     perspective::LESSON,
     clipping::LESSON,
+    lighting::LESSON,
     filtering::LESSON,
 ];
 

@@ -15,7 +15,9 @@ pub(crate) mod finish;
 mod flight;
 mod frontier;
 mod head;
+mod lit;
 mod machine;
+mod maps;
 pub(crate) mod measure;
 pub(crate) mod models;
 mod needs;
@@ -65,6 +67,8 @@ struct Comparison {
 const COMPARISONS: &[Comparison] = &[
     far::COMPARISON,
     savings::COMPARISON,
+    lit::COMPARISON,
+    maps::COMPARISON,
     flight::COMPARISON,
     walks::COMPARISON,
     needs::COMPARISON,

@@ -65,13 +65,17 @@ fn blend_four<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap, weight: impl Fn
         let i = place as i32;
         ([wrap.texel(i - 1, n), wrap.texel(i, n)], weight(place - i as f32))
     };
-    let (columns, right) = between(uv.x, level.width());
-    let (rows, up) = between(uv.y, level.height());
-    let [below, above] = rows.map(|j| {
-        let [a, b] = columns.map(|i| level.light(i, j));
-        a + (b - a) * right
-    });
-    below + (above - below) * up
+    let ([left, right], across) = between(uv.x, level.width());
+    let ([below, above], up) = between(uv.y, level.height());
+    let low = mix(level.light(left, below), level.light(right, below), across);
+    let high = mix(level.light(left, above), level.light(right, above), across);
+    mix(low, high, up)
+}
+
+/// The light a share of the way from one to another. Between two that are alike it is just theirs.
+#[inline]
+fn mix(from: Vec4, to: Vec4, share: f32) -> Vec4 {
+    from + (to - from) * share
 }
 // ANCHOR_END: blend_four
 
@@ -84,12 +88,13 @@ pub fn trilinear<L: Layout>(texture: &Texture<L>, uv: Vec2, level: f32) -> Vec4 
     let (levels, wrap) = (texture.levels(), texture.wrap);
     // A cast turns NaN and what is below 0 into 0.
     let finer = level as usize;
-    if finer + 1 >= levels.len() {
-        return bilinear(&levels[levels.len() - 1], uv, wrap);
+    let last = levels.len() - 1;
+    if finer >= last {
+        return bilinear(&levels[last], uv, wrap);
     }
     let share = level - finer as f32;
     let light = bilinear(&levels[finer], uv, wrap);
-    if share > 0.0 { light + (bilinear(&levels[finer + 1], uv, wrap) - light) * share } else { light }
+    if share > 0.0 { mix(light, bilinear(&levels[finer + 1], uv, wrap), share) } else { light }
 }
 // ANCHOR_END: trilinear
 
@@ -108,7 +113,7 @@ pub fn anisotropic<L: Layout>(texture: &Texture<L>, uv: Vec2, footprint: Footpri
     let Axes { direction, major, minor } = footprint.texels(size).axes();
     let width = minor.max(major / f32::from(MOST_PROBES));
     // A cast turns NaN into 0; one probe there is always.
-    let count = ((major / width.max(1.0)).ceil() as u16).clamp(1, MOST_PROBES);
+    let count = ((major / width.max(1.0)).round() as u16).clamp(1, MOST_PROBES);
     let level = libm::log2f(width);
     let step = direction * (major / f32::from(count)) / size;
     let first = uv - step * (f32::from(count - 1) / 2.0);

@@ -6,14 +6,12 @@
 //! bits of x and y in turn, in squares of squares of any size (G. M. Morton, *A computer oriented geodetic data base*, IBM,
 //! 1966; Z. S. Hakura and A. Gupta, *The design and analysis of a cache architecture for texture mapping*, ISCA 1997).
 
-use common::{Color, Method, Vec2};
-
 use crate::filter::bilinear;
 use crate::footprint::Footprint;
 use crate::light::SRGB;
 use crate::texture::Level;
 use crate::wrap::Wrap;
-use common::Image;
+use common::{Color, Image, Method, Vec2};
 
 /// An order of texels.
 pub trait Layout: Copy {

@@ -12,7 +12,7 @@ use common::{Color, Vec4};
 /// The light of each code, and the code nearest to a light.
 pub struct Codes {
     light: [f32; 256],
-    /// For each code but the last, the least light that has the next one.
+    /// For each code the least light that has the next one; after the last there is none, and nothing reaches NaN.
     next: [f32; 256],
     /// The code at the beginning of each 1/16 of light.
     first: [u8; FIRST],
@@ -32,7 +32,7 @@ impl Codes {
     /// The tables are made when this is compiled, by additions, products and quotients alone: they are the same on every
     /// platform.
     const fn new(srgb: bool) -> Self {
-        let mut codes = Self { light: [0.0; 256], next: [f32::INFINITY; 256], first: [255; FIRST] };
+        let mut codes = Self { light: [0.0; 256], next: [f32::NAN; 256], first: [255; FIRST] };
         let mut code = 0;
         let mut sixteenth = 0;
         while code < 256 {

@@ -14,8 +14,8 @@ use perspective::flags::CameraFlags;
 use perspective::view;
 
 #[derive(clap::Args)]
-#[command(mut_arg("eye", |arg| arg.default_value("1.7,-0.72,2.5")))]
-#[command(mut_arg("center", |arg| arg.default_value("0,-0.2,0")))]
+#[command(mut_arg("eye", |arg| arg.default_value("2,0.2,3.3")))]
+#[command(mut_arg("center", |arg| arg.default_value("0.3,-0.35,0")))]
 #[command(mut_arg("light", |arg| arg.default_value("0.4,0.8,0.8")))]
 struct Flags {
     #[command(flatten)]

@@ -47,18 +47,16 @@ impl Wrap {
 
     /// The place, from 0 to the [`period`](Self::period), at which there is the same as at u; NaN counts as 0, and to
     /// `repeat` and `mirror` so does what is infinite.
-    ///
-    /// Differences are exact: far out, an `f32` has fewer digits for a place in the texture, but none is lost here.
     #[inline]
     #[must_use]
     pub fn place(self, u: f32) -> f32 {
-        let place = match self {
-            Self::Clamp => u,
-            Self::Repeat => u - u.floor(),
-            Self::Mirror => u - 2.0 * (u * 0.5).floor(),
-        };
-        // The larger of NaN and 0 is 0. What is a little below a period's end may be rounded up to it.
-        place.max(0.0).min(self.period() as f32)
+        match self {
+            // NaN is not above 0.
+            Self::Clamp if u > 0.0 => u.min(1.0),
+            Self::Clamp => 0.0,
+            Self::Repeat => fraction(u),
+            Self::Mirror => 2.0 * fraction(0.5 * u),
+        }
     }
 
     /// The texel, from 0 to n − 1, that stands for texel i of a row of n, from −1 to as many as there are in a period.
@@ -90,3 +88,16 @@ impl Wrap {
     }
 }
 // ANCHOR_END: wrap
+
+/// How much more a number is than the whole one below it: u − ⌊u⌋, but no call of a function for ⌊u⌋, which older processors
+/// take. 0 for what is not finite, and 1 where a number is so little below a whole one that the difference is rounded to that.
+///
+/// Nothing but this last rounding is lost: far out, an `f32` has fewer digits for a place in the texture, but what it has is
+/// all there.
+#[inline]
+fn fraction(u: f32) -> f32 {
+    // A float cast cuts off towards 0 and stays within the i32, so that from 2³¹ on, where all numbers are whole, there is a
+    // rest, but no fraction.
+    let rest = u - u as i32 as f32;
+    if rest.abs() < 1.0 { if rest < 0.0 { rest + 1.0 } else { rest } } else { 0.0 }
+}
