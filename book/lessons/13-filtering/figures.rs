@@ -24,7 +24,7 @@ use super::sketches::{
 };
 use crate::figures::picture::{chequered, cut, method, model, painted, paste, texture};
 use crate::figures::{Drawing, Figure};
-use crate::lessons::clipping::figures::{ALL, CENTER, EYE, to_clip};
+use crate::lessons::clipping::figures::{ALL, to_clip};
 #[cfg(feature = "measure")]
 use crate::lessons::transforms::figures::TILES;
 
@@ -161,6 +161,10 @@ pub(crate) const FIGURES: &[Figure] = &[
         slid,
     ),
 ];
+
+/// The camera of the lesson's picture.
+const EYE: Vec3 = Vec3::new(2.0, 0.2, 3.3);
+const CENTER: Vec3 = Vec3::new(0.3, -0.35, 0.0);
 
 /// A model with its mesh and a texture with all its levels.
 pub(crate) struct Subject {
