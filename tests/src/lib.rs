@@ -29,6 +29,8 @@
 //! ```
 
 pub mod stability;
+#[cfg(target_os = "linux")]
+pub mod terminal;
 pub mod usage;
 
 use std::collections::BTreeMap;
