@@ -123,14 +123,14 @@ pub(crate) const LAYOUTS_CHART: Chart = Chart {
 };
 
 /// A texture as the lesson has it, and as it is, to be repeated.
-struct Subjects {
+struct Textured {
     image: Image,
     exact: Exact,
 }
 
 /// The crate's side, and checks of 16 texels.
-fn subjects() -> Vec<Subjects> {
-    let subject = |image: Image| Subjects { exact: Exact::new(&image, Outside::Again), image };
+fn subjects() -> Vec<Textured> {
+    let subject = |image: Image| Textured { exact: Exact::new(&image, Outside::Again), image };
     vec![subject(texture()), subject(squares(16))]
 }
 
@@ -157,7 +157,7 @@ impl View {
     /// wide as so many texels.
     fn new(
         random: &mut Rng,
-        subjects: &[Subjects],
+        subjects: &[Textured],
         (side, tilt, texels): (i32, f64, f64),
         rays: u32,
     ) -> Self {
@@ -224,13 +224,13 @@ fn mean(values: &[f32]) -> f64 {
 }
 
 /// A random plane: each angle up to a largest one, from twice as large to 16 times as small, each power equally likely.
-fn random_view(random: &mut Rng, subjects: &[Subjects], largest: f64) -> View {
+fn random_view(random: &mut Rng, subjects: &[Textured], largest: f64) -> View {
     let tilt = largest.to_radians() * random.f64();
     let texels = 2f64.powf(5.0 * random.f64() - 1.0);
     View::new(random, subjects, (64, tilt, texels), 32)
 }
 
-fn textures(subjects: &[Subjects], mipmap: &Mipmap) -> Vec<Texture> {
+fn textures(subjects: &[Textured], mipmap: &Mipmap) -> Vec<Texture> {
     subjects.iter().map(|subject| mipmap.texture(&subject.image, Wrap::Repeat)).collect()
 }
 
@@ -282,8 +282,11 @@ fn trilinear() -> &'static Sampler {
     method(METHODS, "trilinear").expect("the lesson has it")
 }
 
+/// How a colour is found in the texture of that number.
+type Way = Box<dyn Fn(usize, Vec2, Footprint) -> Color>;
+
 /// Smaller and smaller, head-on: for each way, the mean of its pictures' errors at 1, 2, 4 … 256 texels to a pixel.
-fn minified(effort: Effort, ways: &[Box<dyn Fn(usize, Vec2, Footprint) -> Color>]) -> Vec<Series> {
+fn minified(effort: Effort, ways: &[Way]) -> Vec<Series> {
     let subjects = subjects();
     let mut random = effort.random();
     let mut series = vec![Series::new(); ways.len()];
@@ -304,7 +307,7 @@ fn minified(effort: Effort, ways: &[Box<dyn Fn(usize, Vec2, Footprint) -> Color>
 }
 
 /// A way to find a colour in one of some textures.
-fn way(textures: Vec<Texture>, sampler: &'static Sampler) -> Box<dyn Fn(usize, Vec2, Footprint) -> Color> {
+fn way(textures: Vec<Texture>, sampler: &'static Sampler) -> Way {
     Box::new(move |subject, uv, footprint| (sampler.color)(&textures[subject], uv, footprint))
 }
 

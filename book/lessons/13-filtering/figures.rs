@@ -473,7 +473,7 @@ fn bare(model: &Model, image: &Image) -> Image {
     let (bounds, size) = (bare.bounds(), image.size());
     for uvs in model.face_uvs() {
         fill(uvs.map(|uv| uv * size), bounds, |x, y, _| {
-            bare.set(x, y, image.get(x, y).unwrap_or(Color::BLACK))
+            bare.set(x, y, image.get(x, y).unwrap_or(Color::BLACK));
         });
     }
     bare
