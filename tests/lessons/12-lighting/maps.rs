@@ -1,5 +1,7 @@
 //! Looks that read maps: where each is right, and where it is not.
 
+use std::path::Path;
+
 use assets::head::normals::encoded;
 use checks::lamp::{Face, Highlight, Lamp, level};
 use checks::picture::mean_difference;
@@ -7,8 +9,10 @@ use checks::ray::Screen;
 use clipping::Cull;
 use clipping::mesh::indexed;
 use common::{Color, DVec2, DVec3, Format, Image, Mat4, Method, Model, Vec2, Vec3};
-use lighting::normal_map::decoded;
-use lighting::tangent::{handed, tangents, turned};
+use lighting::normal_map::{ObjectNormals, decoded};
+use lighting::specular_map::Shining;
+use lighting::surface::{Smooth, Surface};
+use lighting::tangent::{TangentNormals, handed, tangents, turned};
 use lighting::{LESSON, LOOKS, Look, Maps, PointLight, Scene};
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
@@ -407,6 +411,18 @@ fn looks_without_maps_read_none() {
     }
 }
 
+/// Bytes kept for each triangle, and interpolated for each pixel besides (u, v) and the position.
+#[test]
+fn a_look_pays_for_what_it_uses() {
+    fn bytes<S: Surface>() -> [usize; 2] {
+        [size_of::<S::Constant>(), size_of::<S::Varying>()]
+    }
+    assert_eq!(bytes::<Smooth>(), [0, 12]);
+    assert_eq!(bytes::<ObjectNormals>(), [0, 0]);
+    assert_eq!(bytes::<TangentNormals>(), [16, 12]);
+    assert_eq!(bytes::<Shining<ObjectNormals>>(), [0, 0]);
+}
+
 /// By glTF's custom, 2·c/255 − 1, a flat map leans by a third of a degree, and so by more than a level in a highlight.
 #[test]
 fn a_flat_map_is_flat() {
@@ -506,6 +522,44 @@ fn ears_share_a_patch_in_tangent_space_alone() {
     let [object, tangent] = [("object-normals", OBJECT_NORMALS), ("tangent-normals", TANGENTS)]
         .map(|(look, map)| ears_apart(look, map));
     assert!((56.0..60.0).contains(&object) && tangent < 0.1, "{object} {tangent}");
+}
+
+/// The two maps of a head say the same of its normals, each in its space: in the middle of most triangles that are larger than a
+/// few texels, whether their patch lies mirrored or not. By how many degrees they differ, in the middle and nine times in ten.
+#[test]
+fn the_maps_agree() {
+    let asset = |name: &str| Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../assets")).join(name);
+    let [object, tangent, low] = ["head-normals.png", "head-tangents.png", "head-low-tangents.png"]
+        .map(|name| Image::read(&asset(name)).unwrap());
+    for (name, tangent) in [("head.obj", &tangent), ("head-low.obj", &low)] {
+        let model = Model::read(&asset(name), BOTH).unwrap();
+        let mut apart = [Vec::new(), Vec::new()];
+        for (face, normals) in model.face_normals().enumerate() {
+            let positions = [0, 1, 2].map(|corner| model.position(face, corner));
+            let uvs = [0, 1, 2].map(|corner| model.uv(face, corner));
+            let area = (uvs[1] - uvs[0]).perp_dot(uvs[2] - uvs[0]) / 2.0 * 1024.0 * 1024.0;
+            if area.abs() < 8.0 || positions.iter().any(|p| p.x < 0.0) {
+                continue;
+            }
+            let uv = (uvs[0] + uvs[1] + uvs[2]) / 3.0;
+            // Behind an eyeball's front its back has the same texels.
+            if area < 0.0 && uv.max_element() < 144.0 / 1024.0 {
+                continue;
+            }
+            let normal = (normals[0] + normals[1] + normals[2]).normalize();
+            let frame = handed(positions, uvs, normals);
+            let [there, here] = [&object, tangent].map(|map| decoded(Wrap::Clamp.texel(map, uv)));
+            let degrees = turned(here, frame, normal).angle_between(there).to_degrees();
+            apart[usize::from(area < 0.0)].push(degrees);
+        }
+        let [upright, mirrored] = apart.map(|mut apart| {
+            apart.sort_by(f32::total_cmp);
+            [apart.len() / 2, apart.len() * 9 / 10].map(|n| apart[n])
+        });
+        assert!(upright[0] < 0.6 && upright[1] < 2.0, "{name}: {upright:?}");
+        // Most of these are in hollows, where several surfaces share texels.
+        assert!(mirrored[0] < 3.0, "{name}: {mirrored:?}");
+    }
 }
 
 fn point() -> impl Strategy<Value = Vec3> {

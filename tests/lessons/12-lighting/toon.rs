@@ -1,5 +1,7 @@
 //! The toon look: steps of light inside an outline.
 
+use std::f32::consts::PI;
+
 use assets::cube::cube;
 use assets::mesh::{Corner, Mesh};
 use clipping::Cull;
@@ -11,6 +13,7 @@ use lighting::{LOOKS, Look, Maps, PointLight, Reflected, Scene, blinn_phong};
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
 use textures::Wrap;
+use transforms::{affine, scale};
 use verify::method;
 
 use crate::stage::BOTH;
@@ -23,7 +26,7 @@ const FAR: f32 = 1000.0;
 const SCALE: f32 = 180.0;
 
 /// A model drawn by a look, seen along −z from far away, without perspective as good as.
-fn drawn(look: &Look, obj: &str, cull: Cull) -> Image {
+fn drawn(look: &Look, obj: &str, to_world: Mat4, cull: Cull) -> Image {
     let mut white = Image::new(1, 1, Format::Rgb);
     white.set(0, 0, Color::WHITE);
     let loaded = Loaded::new(Model::parse(obj.as_bytes(), BOTH).unwrap(), white, Wrap::Clamp);
@@ -33,14 +36,14 @@ fn drawn(look: &Look, obj: &str, cull: Cull) -> Image {
     let camera =
         perspective(fov, 1.0, FAR - 10.0, FAR + 10.0).unwrap() * view(eye, Vec3::ZERO, Vec3::Y).unwrap();
     let light = PointLight { position: Vec3::new(10.0, 10.0, 30.0), ..PointLight::default() };
-    let scene = Scene::placed(&loaded, Mat4::IDENTITY, camera, eye, light).unwrap();
+    let scene = Scene::placed(&loaded, to_world, camera, eye, light).unwrap();
     let mut image = Image::new(SIDE, SIDE, Format::Rgb);
     (look.draw)(&scene, &Maps::default(), &mesh, cull, &mut image);
     image
 }
 
 fn toon(obj: &str, cull: Cull) -> Image {
-    drawn(method(LOOKS, "toon"), obj, cull)
+    drawn(method(LOOKS, "toon"), obj, Mat4::IDENTITY, cull)
 }
 
 /// Pixels of paper, of outline and of the body.
@@ -54,12 +57,26 @@ fn areas(image: &Image) -> [usize; 3] {
 fn a_sphere_has_a_ring_around_it() {
     let image = toon(&assets::sphere::sphere(60, 120).to_obj(), Cull::Back);
     let [_, ring, disc] = areas(&image);
-    let round = |radius: f32| std::f32::consts::PI * (radius * SCALE).powi(2);
+    let round = |radius: f32| PI * (radius * SCALE).powi(2);
     // From so far away half of it is seen, in its own size.
     let near = |pixels: usize, area: f32| (pixels as f32 / area - 1.0).abs() < 0.01;
     assert!(near(disc, round(1.0)), "{disc} {}", round(1.0));
     assert!(near(disc + ring, round(1.0 + WIDTH)), "{ring}");
     assert!((ring as f32 / (round(1.0 + WIDTH) - round(1.0)) - 1.0).abs() < 0.2, "{ring}");
+}
+
+/// The line is as wide in the world, however the model is stretched and turned there.
+#[test]
+fn a_turned_egg_has_a_ring_as_wide() {
+    let [a, b] = [0.9_f32, 0.45];
+    let turn = Mat4::from_mat3(affine::euler(Vec3::new(0.0, 0.0, 50.0)));
+    let obj = assets::sphere::sphere(60, 120).to_obj();
+    let egg = drawn(method(LOOKS, "toon"), &obj, turn * scale(Vec3::new(a, b, b)), Cull::Back);
+    let [_, ring, body] = areas(&egg);
+    // S. Ramanujan's approximation of an ellipse's circumference.
+    let around = PI * (3.0 * (a + b) - ((3.0 * a + b) * (a + 3.0 * b)).sqrt());
+    let width = ring as f32 / (around * SCALE * SCALE);
+    assert!((width / WIDTH - 1.0).abs() < 0.15 && body > 0, "{width}");
 }
 
 /// A cube whose sides have their own normals: where they meet, corners move together, and the outline is closed; since they move

@@ -154,6 +154,16 @@ fn a_scene_far_away_is_lit_as_one_here() {
     assert!(differ < 20, "{differ}");
 }
 
+/// The ends of what flags take are taken.
+#[test]
+fn the_least_and_the_most_are_taken() {
+    let shares = ["--ambient", "1000000", "--diffuse", "1e6", "--specular", "0", "--shininess", "1e6"];
+    assert_eq!(middle(&[&shares[..], &["--light-at", "1e18,-1e18,1e18"]].concat()), 255);
+    assert_eq!(middle(&["--stretch", "1000,1000,0.001", "--ambient", "0.6", "--light-at", "0,0,-1"]), 153);
+    let dark = ["--ambient", "0", "--diffuse", "0", "--specular", "0", "--shininess", "0"];
+    assert_eq!(middle(&[&dark[..], &["--light-at", "-1e18,1e18,-1e18"]].concat()), 0);
+}
+
 /// The eye goes round, the light stays: another part of the model is lit in each picture.
 #[test]
 fn a_turntable_turns_the_eye_and_not_the_light() {
