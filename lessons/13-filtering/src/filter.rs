@@ -104,8 +104,10 @@ pub const MOST_PROBES: u16 = 16;
 // ANCHOR: anisotropic
 /// The mean of up to 16 probes along the footprint's long axis, each trilinear, at the level of the short one.
 ///
-/// As many as it takes for them to be no farther apart than the short axis is long, nor closer than texels are. Where 16 do
-/// not reach, the level is that of a 16th of the long axis.
+/// As many as the long axis is times as long as the short one, or, where this is less than a texel, as the texel; where 16
+/// do not reach, the level is that of a 16th of the long axis. (The extension `EXT_texture_filter_anisotropic` of OpenGL
+/// has the quotient rounded up. Rounded to nearest, a footprint that is hardly longer than wide costs one probe, and is not
+/// broadened by a second.)
 #[inline]
 #[must_use]
 pub fn anisotropic<L: Layout>(texture: &Texture<L>, uv: Vec2, footprint: Footprint) -> Vec4 {
