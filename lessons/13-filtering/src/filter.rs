@@ -47,7 +47,7 @@ pub fn bilinear<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap) -> Vec4 {
 
 // ANCHOR: bilinear_8
 /// The same with weights of 8 bits, k/256, as graphics hardware has them (NVIDIA, *CUDA C++ Programming Guide*, *Linear
-/// filtering*: "9-bit fixed point format with 8 bits of fractional value"; Direct3D 11 asks for at least 8 bits).
+/// Filtering*: "9-bit fixed point format with 8 bits of fractional value").
 #[inline]
 #[must_use]
 pub fn bilinear_8<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap) -> Vec4 {

@@ -96,7 +96,7 @@ pub const METHODS: &[Method<Sampler>] = &[
     Method {
         name: "trilinear",
         run: Sampler::new::<Trilinear>(),
-        promise: "bilinear in the two levels next to the footprint's size, and linear between them: no flicker, no jump",
+        promise: "bilinear in the two levels next to the footprint's size, and linear between them: no jump, hardly a flicker",
         failure: "as coarse in all directions as the footprint is in its longest: a floor is a blur long before the horizon",
     },
     Method {
