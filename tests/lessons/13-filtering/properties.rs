@@ -270,6 +270,9 @@ fn codes_are_rounded_as_they_are_seen() {
             assert_eq!(grey(&SRGB, (border * (1.0 - off)) as f32), n, "{n}");
         }
         assert_eq!(grey(&ENCODED, (n as f32 + 0.5).next_down()), n);
+        // The first f32 that is not below the border has the upper code.
+        let above = if f64::from(border as f32) < border { (border as f32).next_up() } else { border as f32 };
+        assert_eq!([grey(&SRGB, above), grey(&SRGB, above.next_down())], [n.saturating_add(1), n], "{n}");
     }
     for _ in 0..200_000 {
         let light = 255.0 * rng.f32() * rng.f32() * rng.f32();
