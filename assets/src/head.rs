@@ -146,10 +146,10 @@ pub fn tangent_map(normals: &Normals) -> Image {
     tangent_map_for(&BUST, normals)
 }
 
-/// The map of normals in the tangent space of [`low_model`], half as wide and high.
+/// The map of normals in the tangent space of [`low_model`].
 #[must_use]
 pub fn low_tangent_map(normals: &Normals) -> Image {
-    tangent_map_for(&LOW_BUST, normals).scale(SIZE / 2, SIZE / 2)
+    tangent_map_for(&LOW_BUST, normals)
 }
 
 fn tangent_map_for(surface: &Surface, normals: &Normals) -> Image {

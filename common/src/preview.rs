@@ -79,10 +79,18 @@ mod tests {
 
     #[test]
     fn it_fits() {
-        for (width, height) in [(100, 100), (1000, 10), (10, 1000), (1, 1), (0, 0)] {
+        for (width, height, fitted) in [
+            (100, 100, (24, 12)),
+            (1000, 10, (40, 1)),
+            (10, 1000, (1, 12)),
+            (40, 3, (40, 2)),
+            (1, 1, (1, 1)),
+            (0, 0, (1, 1)),
+        ] {
             let text = half_blocks(&Image::new(width, height, Format::Rgb), 40, 12);
-            assert!(text.lines().count() <= 12);
-            assert!(text.lines().all(|line| line.matches('▀').count() <= 40));
+            let columns = text.lines().map(|line| line.matches('▀').count());
+            let (columns, rows) = (columns.collect::<Vec<_>>(), text.lines().count());
+            assert_eq!((columns, rows), (vec![fitted.0; fitted.1], fitted.1), "{width}x{height}");
         }
     }
 

@@ -347,6 +347,7 @@ mod tests {
         ] {
             let Err(error) = parsed(arguments) else { panic!("{arguments:?}") };
             assert!(error.contains(said) && !error.contains('\n'), "{arguments:?}: {error}");
+            assert!(!error.contains("Usage:") && !error.contains("; ;"), "{arguments:?}: {error}");
         }
     }
 

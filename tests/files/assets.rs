@@ -126,7 +126,7 @@ fn the_floor_lies_under_the_head() {
 #[test]
 fn files_are_small() {
     let maps = ["head-normals.png", "head-tangents.png", "head-low-tangents.png", "head-shine.png"];
-    for (names, limit) in [(&["head.obj"][..], 600_000), (&["head.tga"], 3_000_000), (&maps, 2_500_000)] {
+    for (names, limit) in [(&["head.obj"][..], 600_000), (&["head.tga"], 3_000_000), (&maps, 2_700_000)] {
         let size = |name: &&str| std::fs::metadata(Path::new(FOLDER).join(name)).unwrap().len();
         let size: u64 = names.iter().map(size).sum();
         assert!(size <= limit, "{names:?}: {size} bytes");
@@ -141,7 +141,7 @@ fn the_textures_are_pictures() {
         ("checks.png", (2, 2)),
         ("head-normals.png", (1024, 1024)),
         ("head-tangents.png", (1024, 1024)),
-        ("head-low-tangents.png", (512, 512)),
+        ("head-low-tangents.png", (1024, 1024)),
         ("head-shine.png", (512, 512)),
     ] {
         let picture = Image::read(&Path::new(FOLDER).join(name)).unwrap();
@@ -156,20 +156,15 @@ fn the_head_s_texture_is_padded() {
     assert_eq!(texture.pixels().find(|(.., color)| *color == Color::BLACK), None);
 }
 
-/// A texel of a map of normals is a direction: 1 long but for the rounding to 8 bits, and, where four were averaged, a little
-/// shorter.
+/// A texel of a map of normals is a direction: 1 long but for the rounding to 8 bits.
 #[test]
 fn the_maps_of_normals_hold_unit_vectors() {
-    for (name, least, most) in [
-        ("head-normals.png", 0.99, 1.01),
-        ("head-tangents.png", 0.99, 1.01),
-        ("head-low-tangents.png", 0.0, 1.01),
-    ] {
+    for name in ["head-normals.png", "head-tangents.png", "head-low-tangents.png"] {
         let map = Image::read(&Path::new(FOLDER).join(name)).unwrap();
         let channel = |code: u8| (f32::from(code) - 128.0) / 127.0;
         for (x, y, Color { r, g, b, .. }) in map.pixels() {
             let length = Vec3::new(channel(r), channel(g), channel(b)).length();
-            assert!((least..=most).contains(&length), "{name} ({x}, {y}): {length}");
+            assert!((0.99..1.01).contains(&length), "{name} ({x}, {y}): {length}");
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Bad files and bad places, as a user meets them: one line that says what is wrong, exit code 1, nothing lost and
-//! nothing half-written. And the assets, made again.
+//! nothing half-written. What is shown in a terminal. And the assets, made again.
 
 mod assets;
 mod formats;
 mod fuzz;
 mod models;
 mod pictures;
+#[cfg(target_os = "linux")]
+mod terminals;
 
 use verify::names;
 use verify::usage::assert_fails;

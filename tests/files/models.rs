@@ -447,10 +447,11 @@ fn a_million_triangles_are_read() {
     assert!(counted.bytes_max < 512 << 20, "{} bytes", counted.bytes_max);
 }
 
-/// Within the longest file, a model may take more memory than there should be: it is refused where it does.
+/// Within the longest file, a model may take more memory than there should be: it is refused where it does. Four
+/// positions and 9,586,976 faces take just as much as they may.
 #[test]
 fn a_model_that_takes_too_much_memory_is_refused() {
-    let text = ["v 0 0 0\n", &"f 1 1 1\n".repeat(12_000_000)].concat();
+    let text = ["v 0 0 0\n".repeat(4), "f 1 1 1\n".repeat(12_000_000)].concat();
     let counted = allocation_counter::measure(|| {
         let reason = Model::parse(text.as_bytes(), Attributes::default()).unwrap_err();
         assert_eq!(reason, "line 9586981: up to here the model takes the 512 MiB that it may");

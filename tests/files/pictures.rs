@@ -26,8 +26,9 @@ fn a_name_says_what_a_picture_is() {
         assert!(run("lines", folder.path(), &["--out", name]).status.success());
         assert!(fs::read(folder.path().join(name)).unwrap().starts_with(begins), "{name}");
     }
-    for name in ["picture", "picture.bmp", ".png", "folder/", ".."] {
-        assert_fails(&run("lines", folder.path(), &["--out", name]), 1, &["must end in .tga or .png"]);
+    for name in ["picture", "picture.bmp", "folder/", ".."] {
+        let said = format!("{name}: the name of a picture must end in .tga or .png\n");
+        assert_fails(&run("lines", folder.path(), &["--out", name]), 1, &[&said]);
     }
 }
 

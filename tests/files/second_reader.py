@@ -27,7 +27,7 @@ TEXTURES = [
     ("crate.png", 256, "RGB"),
     ("head-normals.png", 1024, "RGB"),
     ("head-tangents.png", 1024, "RGB"),
-    ("head-low-tangents.png", 512, "RGB"),
+    ("head-low-tangents.png", 1024, "RGB"),
     ("head-shine.png", 512, "L"),
 ]
 

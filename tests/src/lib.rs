@@ -24,11 +24,13 @@
 //! This package's own tests:
 //!
 //! ```text
-//! files/      bad files, and the assets made again
+//! files/      bad files, what a terminal shows, and the assets made again
 //! platforms/  the pictures, their bytes counted, on other platforms
 //! ```
 
 pub mod stability;
+#[cfg(target_os = "linux")]
+pub mod terminal;
 pub mod usage;
 
 use std::collections::BTreeMap;

@@ -75,7 +75,8 @@ pub fn check(lesson: &Lesson) {
     assert_eq!(read(folder.path(), "a.png").width(), 1812);
 }
 
-/// What holds for a program with `--depth`: it writes the depths as a picture, and a picture of one pixel, too small
+/// What holds for a program with `--depth`: it writes the depths as a picture, a sphere's brightest where it is nearest and
+/// so not at its outline, and a picture of one pixel, too small
 /// for a sheet's cells, has none of them.
 ///
 /// # Panics
@@ -90,7 +91,12 @@ pub fn check_depth(lesson: &Lesson) {
     }
     let depth = read(folder.path(), "b.tga");
     assert_eq!((depth.width(), depth.height()), (61, 40));
-    assert!(depth.pixels().any(|pixel| pixel.2 == Color::WHITE));
+    let white: Vec<_> = depth.pixels().filter(|pixel| pixel.2 == Color::WHITE).collect();
+    assert!(!white.is_empty());
+    for (x, y, _) in white {
+        let beside = [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)];
+        assert!(beside.iter().all(|&(x, y)| depth.get(x, y) != Some(Color::BLACK)), "({x}, {y})");
+    }
     assert_eq!(names(folder.path()), ["a.png", "b.tga", "c.png", "d.png"]);
 }
 

@@ -1,5 +1,7 @@
 //! What is too fine for the field, as heights over its surface: strands of hair, pores, creases. Only maps of normals have it.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use super::noise::{bump, noise};
@@ -7,7 +9,7 @@ use super::paint::{Strands, beard, brow, hair, lip};
 use super::shape::{EYE, EYE_HALF, eye_opening, step};
 
 /// The unit normal of a surface of which `normal` is the unit normal at a point, once it is raised by `depth` times its
-/// [`height`].
+/// height.
 ///
 /// Only slopes along the surface count, to first order. Blinn, "Simulation of Wrinkled Surfaces" (SIGGRAPH 1978).
 #[must_use]
@@ -27,7 +29,10 @@ fn height(p: DVec3) -> f64 {
         // Towards the whorl strands are thinner, and so less high.
         let from = p - DVec3::new(0.03, 0.4, -0.25);
         let thick = ((from.x * from.x + from.z * from.z).sqrt() / 0.3).min(1.0);
-        hairs += cover * thick * (0.0032 * strand + 0.0007 * fine);
+        // Towards the back a texel is wider than a hair, and at last than a strand.
+        let turn = libm::atan2(side.x, p.z + 0.02) / PI;
+        let (strands, single) = (1.0 - 0.7 * step((turn - 0.6) / 0.4), 1.0 - step((turn - 0.1) / 0.3));
+        hairs += cover * thick * (0.0032 * strands * strand + 0.0007 * single * fine);
         bare -= cover;
     }
     if let Some((dense, hair)) = brow(side, p) {

@@ -11,7 +11,8 @@ mod digits;
 mod draw;
 mod far;
 mod finding;
-mod finish;
+pub(crate) mod finish;
+mod flight;
 mod frontier;
 mod head;
 mod lit;
@@ -27,6 +28,7 @@ mod speed;
 mod summary;
 pub(crate) mod table;
 mod timer;
+mod walks;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
@@ -62,11 +64,13 @@ struct Comparison {
 }
 
 /// The comparisons that are no table's.
-const COMPARISONS: [Comparison; 7] = [
+const COMPARISONS: &[Comparison] = &[
     far::COMPARISON,
     savings::COMPARISON,
     lit::COMPARISON,
     maps::COMPARISON,
+    flight::COMPARISON,
+    walks::COMPARISON,
     needs::COMPARISON,
     head::COMPARISON,
     finish::COMPARISON,

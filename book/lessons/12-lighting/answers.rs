@@ -1,8 +1,10 @@
 //! The numbers of the chapter's worked examples and of their quizzes, computed by the lesson's own code.
 
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::{E, PI, TAU};
 
-use common::{Color, Mat3, Vec3};
+use common::{Color, Mat3, Vec2, Vec3};
+use lighting::normal_map::decoded;
+use lighting::tangent::{handed, tangents, turned};
 use lighting::{NORMALISATIONS, POWERS, PointLight, blinn_phong, phong};
 use transforms::{normal_matrix, scale};
 
@@ -155,5 +157,33 @@ fn powers() {
         let worst = worst("table-linear", exponent);
         assert!(worst < bound && worst > 0.9 * bound, "{exponent}: {worst}");
     }
-    assert!(0.004_902 * 102.0 < 0.5 && 52.0 * 51.0 / 8.0 / 255.0_f32.powi(2) * 102.0 > 0.5);
+    // Half a level of S = 0.4.
+    close(51.0 * 50.0 / 8.0 / 255.0_f32.powi(2) * 102.0, 0.5, 1e-4);
+}
+
+/// A triangle on which the map lies mirrored.
+#[test]
+fn a_mirrored_triangle() {
+    let positions = [Vec3::ZERO, Vec3::new(2.0, 0.0, 0.0), Vec3::Y];
+    let uvs = [Vec2::ZERO, Vec2::Y, Vec2::X];
+    let [t, b] = tangents(positions, uvs).unwrap();
+    assert_eq!([t.as_vec3(), b.as_vec3()], [Vec3::Y, Vec3::new(2.0, 0.0, 0.0)]);
+    assert_eq!(Vec3::Z.cross(t.as_vec3()), Vec3::NEG_X);
+    assert_eq!(handed(positions, uvs, [Vec3::Z; 3]), Vec3::Y.extend(-1.0));
+    // A flat map changes nothing, mirrored or not.
+    let flat = decoded(Color::rgb(128, 128, 255));
+    assert_eq!((flat, turned(flat, Vec3::Y.extend(-1.0), Vec3::Z)), (Vec3::Z, Vec3::Z));
+}
+
+/// Half a step of 8 bits in each component: the direction of a normal, and what a highlight makes of it.
+#[test]
+fn eight_bits() {
+    let off = 3f32.sqrt() / 254.0;
+    close(off, 0.0068, 5e-5);
+    close(off.to_degrees(), 0.39, 0.002);
+    close((32.0 / E).sqrt() * off, 0.023, 5e-4);
+    close((1000.0 / E).sqrt() * off, 0.13, 1e-3);
+    // As 2c/255 − 1 has it, a flat map leans.
+    let lean = 2.0 * 128.0 / 255.0 - 1.0;
+    close(Vec3::new(lean, lean, 1.0).angle_between(Vec3::Z).to_degrees(), 1.0 / 3.0, 0.02);
 }

@@ -121,9 +121,9 @@ pub(crate) const POWERS_CHART: Chart = Chart {
     },
     wrong: &[],
     advice: &[
-        ("squaring", "whole exponents, which are all that one needs"),
-        ("powf", "other exponents"),
-        ("table-linear", "other exponents up to 50, where logarithms are slow"),
+        ("powf", "always"),
+        ("squaring", "whole exponents, where pictures are to be the same on every platform to the last bit"),
+        ("table-linear", "exponents up to 50, where logarithms are slow"),
     ],
 };
 

@@ -24,7 +24,9 @@ use super::sketches::{
 };
 use crate::figures::picture::{chequered, cut, method, model, painted, paste, texture};
 use crate::figures::{Drawing, Figure};
-use crate::lessons::clipping::figures::{ALL, CENTER, EYE, to_clip};
+use crate::lessons::clipping::figures::{ALL, to_clip};
+#[cfg(feature = "measure")]
+use crate::lessons::transforms::figures::TILES;
 
 pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
@@ -160,6 +162,10 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
 ];
 
+/// The camera of the lesson's picture.
+const EYE: Vec3 = Vec3::new(2.0, 0.2, 3.3);
+const CENTER: Vec3 = Vec3::new(0.3, -0.35, 0.0);
+
 /// A model with its mesh and a texture with all its levels.
 pub(crate) struct Subject {
     loaded: Loaded,
@@ -175,13 +181,24 @@ impl Subject {
         Self { loaded, mesh, texture }
     }
 
+    /// The texture as it was.
+    #[cfg(feature = "measure")]
+    pub(crate) fn image(&self) -> &Image {
+        &self.loaded.texture
+    }
+
+    #[cfg(feature = "measure")]
+    pub(crate) fn model(&self) -> &Model {
+        &self.loaded.model
+    }
+
     pub(crate) fn surface(&self, light: Vec3, to_clip: Mat4) -> Surface<'_> {
         Surface { uniforms: self.loaded.uniforms(light, to_clip), mesh: &self.mesh, texture: &self.texture }
     }
 }
 
 /// The usual way to make levels.
-fn of_light() -> anyhow::Result<Mipmap> {
+pub(crate) fn of_light() -> anyhow::Result<Mipmap> {
     Ok(*method(MIPMAPS, "box-linear")?)
 }
 
@@ -190,12 +207,12 @@ fn of_head() -> anyhow::Result<Subject> {
 }
 
 /// Lesson 11's floor, with a texture.
-fn floor_of(image: Image, mipmap: Mipmap) -> anyhow::Result<Subject> {
+pub(crate) fn floor_of(image: Image, mipmap: Mipmap) -> anyhow::Result<Subject> {
     let model = Model::read(Path::new(SLABS[0]), Attributes { normals: true, uvs: true })?;
     Ok(Subject::new(model, image, Wrap::Repeat, mipmap))
 }
 
-fn of_floor() -> anyhow::Result<Subject> {
+pub(crate) fn of_floor() -> anyhow::Result<Subject> {
     floor_of(fine(&Image::read(Path::new(SLABS[1]))?), of_light()?)
 }
 
@@ -225,6 +242,12 @@ fn lit_by_sampler(
         subjects.iter().map(|subject| subject.surface(light.normalize(), to_clip)).collect();
     (sampler.draw)(&surfaces, Cull::Back, &mut image);
     image
+}
+
+/// Under a light from above.
+#[cfg(feature = "measure")]
+pub(crate) fn by_sampler(sampler: &Sampler, subjects: &[Subject], to_clip: Mat4, size: [u16; 2]) -> Image {
+    lit_by_sampler(sampler, subjects, (Vec3::Y, to_clip), size)
 }
 
 /// The same by a row of the lesson's table.
@@ -320,6 +343,12 @@ fn board() -> Image {
     chequered(2, 2, [Color::BLACK, Color::WHITE])
 }
 
+/// Fine checks: squares of so many texels, 128 texels each way.
+#[cfg(feature = "measure")]
+pub(crate) fn squares(texels: u16) -> Image {
+    chequered(128 / texels, 128 / texels, TILES).scale(128, 128)
+}
+
 /// A board that leads away, its levels made in one way.
 pub(crate) fn led_away(mipmap: &str, size: [u16; 2]) -> anyhow::Result<Image> {
     let floor = [floor_of(fine(&board()), *method(MIPMAPS, mipmap)?)?];
@@ -368,7 +397,7 @@ impl Filter for Rounded {
 }
 
 /// An eye near the floor, which fills all but the upper border of a picture of that size.
-fn over_the_floor([width, height]: [u16; 2]) -> anyhow::Result<Mat4> {
+pub(crate) fn over_the_floor([width, height]: [u16; 2]) -> anyhow::Result<Mat4> {
     let eye = Vec3::new(0.3, -0.35, 3.0);
     let look = view(eye, eye + Vec3::new(0.6, -0.4, -1.8), Vec3::Y).context("it looks somewhere")?;
     Ok(perspective(30.0, f32::from(width) / f32::from(height), 0.1, 1000.0)? * look)
@@ -444,7 +473,7 @@ fn bare(model: &Model, image: &Image) -> Image {
     let (bounds, size) = (bare.bounds(), image.size());
     for uvs in model.face_uvs() {
         fill(uvs.map(|uv| uv * size), bounds, |x, y, _| {
-            bare.set(x, y, image.get(x, y).unwrap_or(Color::BLACK))
+            bare.set(x, y, image.get(x, y).unwrap_or(Color::BLACK));
         });
     }
     bare
@@ -486,13 +515,13 @@ fn weights() -> anyhow::Result<Drawing> {
 const PER_FRAME: f32 = 0.04;
 
 /// The view of the flight, at a picture's number.
-fn flying_view(frame: usize) -> anyhow::Result<Mat4> {
+pub(crate) fn flying_view(frame: usize) -> anyhow::Result<Mat4> {
     let eye = Vec3::new(0.31, -0.55, 3.0 - PER_FRAME * frame as f32);
     view(eye, eye + Vec3::new(0.25, -0.12, -1.0), Vec3::Y).context("it looks somewhere")
 }
 
 /// The camera of the flight.
-fn flying(frame: usize, ratio: f32) -> anyhow::Result<Mat4> {
+pub(crate) fn flying(frame: usize, ratio: f32) -> anyhow::Result<Mat4> {
     Ok(perspective(45.0, ratio, 0.1, 1000.0)? * flying_view(frame)?)
 }
 

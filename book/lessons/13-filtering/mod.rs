@@ -2,6 +2,8 @@
 
 #[cfg(test)]
 mod answers;
+#[cfg(feature = "measure")]
+pub(crate) mod charts;
 pub(crate) mod figures;
 mod sketches;
 
@@ -15,5 +17,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     more_pictures: &[],
     figures: figures::FIGURES,
     #[cfg(feature = "measure")]
-    charts: &[],
+    charts: &[charts::METHODS_CHART, charts::MIPMAPS_CHART, charts::LAYOUTS_CHART],
 };

@@ -329,7 +329,7 @@ pub(super) fn probes() -> anyhow::Result<Drawing> {
     sheet.polygon(&[-a - b, a - b, a + b, b - a].map(|p| p / 2.0), SKY, BLUE);
     // As many as the filter takes, where it takes them.
     let width = minor.max(major / f32::from(MOST_PROBES));
-    let count = (major / width.max(1.0)).ceil() as i32;
+    let count = (major / width.max(1.0)).round() as i32;
     for n in 0..count {
         let middle = direction * major * ((n as f32 + 0.5) / count as f32 - 0.5);
         sheet.polygon(&square(middle, width / 2.0), "none", ORANGE);

@@ -270,5 +270,15 @@ mod tests {
             assert!(matches!(decode(&file), Err(PictureError::Malformed(_))), "kind {kind} depth {depth}");
         }
         assert!(matches!(decode(&header(2, 24)[..17]), Err(PictureError::Truncated)));
+        // A colour map of one entry of 24 bits: it must be there, and an index has 8 bits or 16.
+        for (map, depth, good) in [(1, 8, true), (1, 16, true), (0, 8, false), (1, 24, false), (1, 15, false)]
+        {
+            let header = [0, map, 1, 0, 0, 1, 0, 24, 0, 0, 0, 0, 1, 0, 1, 0, depth, 0];
+            let read = decode(&[&header[..], &[0; 99]].concat());
+            assert!(
+                if good { read.is_ok() } else { matches!(read, Err(PictureError::Malformed(_))) },
+                "{map} {depth}"
+            );
+        }
     }
 }

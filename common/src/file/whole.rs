@@ -99,3 +99,23 @@ mod unnamed {
         Err(ErrorKind::Unsupported.into())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As on a system or in a folder that has no files without a name.
+    #[test]
+    fn a_file_under_a_hidden_name_takes_the_place_of_another() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        for bytes in [&b"old"[..], b"new"] {
+            write_hidden(folder.path(), &path, bytes).unwrap();
+            assert_eq!(std::fs::read(&path).unwrap(), bytes);
+            assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+        }
+        let hidden = hidden().tempfile_in(folder.path()).unwrap();
+        let name = hidden.path().file_name().unwrap().to_str().unwrap();
+        assert!(name.starts_with('.') && name.ends_with(".part"), "{name}");
+    }
+}

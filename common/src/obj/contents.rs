@@ -251,3 +251,49 @@ impl<'a> Contents<'a> {
         left_out
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NONE: Attributes = Attributes { normals: false, uvs: false };
+    const ALL: Attributes = Attributes { normals: true, uvs: true };
+
+    /// An element is counted as read, its place in the model, and as it is there; a corner is a place, and as part of
+    /// a triangle three of them. A position is an f64 on its way, too.
+    #[test]
+    fn each_line_is_counted_with_all_that_is_made_of_it() {
+        let place = size_of::<u32>();
+        let [vec2, vec3, dvec3] = [size_of::<Vec2>(), size_of::<Vec3>(), size_of::<DVec3>()];
+        let (element, corner, bend) = (size_of::<Element>(), place + 3 * place, place + 2 * place);
+        let counted = |text: &str, wanted| Contents::read(text.as_bytes(), wanted).unwrap().memory();
+        let lines = [
+            ("v 0 0 0\n", dvec3 + place + dvec3 + vec3),
+            ("vt 0 0\n", vec2 + place + vec2),
+            ("vn 0 0 1\n", vec3 + place + vec3),
+            ("f 1/1/1 2/1/1 3/1/1 4/1/1\n", element + 4 * 3 * corner),
+            ("l 1 2 3\n", element + 3 * bend),
+        ];
+        for (line, bytes) in lines {
+            for n in [1, 4] {
+                assert_eq!(counted(&line.repeat(n), ALL), n * bytes, "{line:?} {n} times");
+            }
+        }
+        let (text, bytes): (String, Vec<usize>) = lines.into_iter().unzip();
+        assert_eq!(counted(&text, ALL), bytes.iter().sum());
+        // What is not wanted is not kept.
+        assert_eq!(counted("vt 0 0\nvn 0 0 1\n", NONE), 0);
+        for (wanted, lists) in
+            [(NONE, 1), (Attributes { uvs: true, ..NONE }, 2), (Attributes { normals: true, ..NONE }, 2)]
+        {
+            assert_eq!(counted("f 1/1/1 2/1/1 3/1/1\n", wanted), element + 3 * lists * corner, "{wanted:?}");
+        }
+    }
+
+    #[test]
+    fn no_more_than_256_materials_are_kept_in_mind() {
+        let text: String = (0..300).map(|n| format!("mtllib {n}\nusemtl {n}\nf 1 1 1\n")).collect();
+        let contents = Contents::read(text.as_bytes(), ALL).unwrap();
+        assert_eq!((contents.libraries.len(), contents.materials.len()), (256, 256));
+    }
+}

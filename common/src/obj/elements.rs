@@ -107,3 +107,27 @@ pub(super) fn place(index: Option<i64>, length: usize) -> u32 {
     };
     u32::try_from(place).ok().filter(|&place| place != NONE).unwrap_or(NOWHERE)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_index_counts_from_1_or_back_from_the_end() {
+        for (index, expected) in [
+            (None, NONE),
+            (Some(1), 1),
+            (Some(4), 4),
+            // It may be there by the end of the file.
+            (Some(5), 5),
+            (Some(0), NOWHERE),
+            (Some(-1), 4),
+            (Some(-4), 1),
+            (Some(-5), NOWHERE),
+            (Some(i64::MIN), NOWHERE),
+            (Some(i64::MAX), NOWHERE),
+        ] {
+            assert_eq!(place(index, 4), expected, "{index:?}");
+        }
+    }
+}

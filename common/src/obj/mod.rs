@@ -167,6 +167,7 @@ mod tests {
             ("12345678901234567890", "12345678901234567890"),
             ("123456789012345678901", "12345678901234567890..."),
             ("\u{fffd}\u{0}", "\u{fffd}\\0"),
+            (&"𝄞".repeat(21), &("𝄞".repeat(20) + "...")),
         ] {
             let error = read(&format!("f 1 2 {word}"), NONE).unwrap_err();
             assert!(error.ends_with(&format!("corner `{shown}`: `{shown}` is not an index")), "{error}");

@@ -45,7 +45,7 @@ impl Cutter {
         let count = corners.len() as u32;
         let fan = (2..count).map(|n| [0, n - 1, n]);
         let normal = normal(corners);
-        if count == 3 || normal == DVec3::ZERO || is_fan(corners, normal) {
+        if is_fan(corners, normal) {
             fan.for_each(triangle);
             return Ok(());
         }
@@ -115,18 +115,70 @@ mod tests {
         assert_eq!(cut(&[[1.0; 3]; 5]), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
     }
 
-    /// The fan of a dart's first corner would cover what is outside.
+    /// The fan of a dart's first corner would cover what is outside. Along each axis, from both sides, small and large,
+    /// near and so far away that the last bit of a coordinate counts.
     #[test]
     fn a_dart_is_cut_at_its_notch() {
-        let mut dart = vec![[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
-        dart.swap(1, 3);
-        for first in 0..4 {
-            let mut triangles = cut(&dart);
-            assert_eq!(triangles.len(), 2, "{first}");
-            triangles.iter_mut().for_each(|triangle| triangle.sort_unstable());
-            let notch = dart.iter().position(|corner| *corner == [0.0; 3]).unwrap() as u32;
-            assert!(triangles.iter().all(|triangle| triangle.contains(&notch)), "{first}: {triangles:?}");
-            dart.rotate_left(1);
+        const DART: [[f64; 2]; 4] = [[-1.0, 0.0], [0.0, -1.0], [1.0, 1.0], [0.0, 0.0]];
+        const NOTCH: u32 = 3;
+        for (axis, size, far, turned, first) in cases() {
+            let mut corners = DART.map(|[x, y]| {
+                let mut corner = far;
+                corner[(axis + 1) % 3] += size * x;
+                corner[(axis + 2) % 3] += size * y;
+                corner
+            });
+            let mut notch = NOTCH;
+            if turned {
+                corners.reverse();
+                notch = 3 - notch;
+            }
+            corners.rotate_left(first);
+            notch = (notch + 4 - first as u32) % 4;
+            let triangles = cut(&corners.map(|corner| corner.to_array()));
+            let case = format!("axis {axis}, {size} at {far}, turned: {turned}, from {first}: {triangles:?}");
+            assert_eq!(triangles.len(), 2, "{case}");
+            for triangle in triangles {
+                assert!(triangle.contains(&notch), "{case}");
+                let [a, b, c] = triangle.map(|n| corners[n as usize]);
+                assert!((b - a).cross(c - a)[axis] * if turned { -1.0 } else { 1.0 } > 0.0, "{case}");
+            }
+        }
+    }
+
+    /// Axis, size, place, way round and first corner of a dart.
+    fn cases() -> impl Iterator<Item = (usize, f64, DVec3, bool, usize)> {
+        let far = 2f64.powi(52);
+        let places = [
+            (1.0, DVec3::ZERO),
+            (1e-4, DVec3::new(-3.0, 7.0, -5.0)),
+            (1e6, DVec3::new(3.0, -7.0, 5.0)),
+            (1.0, DVec3::new(-far, far, -far)),
+            (1.0, DVec3::new(far, -far, far)),
+        ];
+        (0..3).flat_map(move |axis| {
+            places.into_iter().flat_map(move |(size, place)| {
+                [false, true]
+                    .into_iter()
+                    .flat_map(move |turned| (0..4).map(move |first| (axis, size, place, turned, first)))
+            })
+        })
+    }
+
+    /// Of such a face, the ears may be cut off the wrong way round: here, between the corners 3, 4 and 6.
+    #[test]
+    fn triangles_of_a_face_that_crosses_itself_turn_as_it_does() {
+        let outline: [[i8; 2]; 9] = [[3, 2], [7, 1], [7, 3], [3, 0], [3, 7], [1, 5], [4, 0], [6, 2], [0, 1]];
+        let corners = outline.map(|[x, y]| DVec3::new(x.into(), y.into(), 0.0));
+        let normal = normal(&corners);
+        let triangles = cut(&corners.map(|corner| corner.to_array()));
+        assert!(
+            triangles.iter().any(|triangle| [3, 4, 6].iter().all(|n| triangle.contains(n))),
+            "{triangles:?}"
+        );
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|n| corners[n as usize]);
+            assert!((b - a).cross(c - a).dot(normal) >= 0.0, "{triangle:?}");
         }
     }
 

@@ -125,8 +125,8 @@ pub(crate) fn line_number(bytes: &[u8], offset: usize) -> usize {
 /// A word of a file as it can be shown in a line: what would not print is escaped, and it is cut short.
 pub(crate) fn shown(word: &[u8]) -> String {
     const LONGEST: usize = 20;
-    // No character takes more than 4 bytes.
-    let text = String::from_utf8_lossy(&word[..word.len().min(4 * LONGEST + 4)]);
+    // No character takes more than 4 bytes; one more says that there are more.
+    let text = String::from_utf8_lossy(&word[..word.len().min(4 * (LONGEST + 1))]);
     let cut = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
     text.chars().take(LONGEST).flat_map(char::escape_debug).chain(cut.chars()).collect()
 }
@@ -184,6 +184,15 @@ mod tests {
         // In a comment, one that stands at the very end.
         assert_eq!(lines("# a \\\nb\nc"), [line(1, ""), line(3, "c")]);
         assert_eq!(lines("# C:\\models\\ \nb"), [line(1, ""), line(2, "b")]);
+        // Also one of whose words no more is read.
+        let mut words = Words::new(b"o a \\ \nb\nc");
+        assert!(words.next_line());
+        assert_eq!(words.word(), Some(&b"c"[..]));
+    }
+
+    #[test]
+    fn a_comment_may_begin_behind_a_number() {
+        assert_eq!(lines("1.# a\n2#INF\n1.#INF"), [line(1, "1."), line(2, "2"), line(3, "1.#INF")]);
     }
 
     #[test]

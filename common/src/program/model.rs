@@ -227,9 +227,13 @@ mod tests {
         let flags = TexturedModelFlags { model, texture: Some("none.png".into()) };
         let error = flags.read(Attributes::default()).unwrap_err();
         assert!(error.to_string().contains("not every face has texture coordinates"), "{error}");
-        assert_eq!(flags.read_untextured(DVec3::ZERO, Attributes::default()).unwrap().triangles().len(), 1);
+        let wanted = Attributes { uvs: true, ..Attributes::default() };
+        assert_eq!(flags.read_untextured(DVec3::ZERO, wanted).unwrap().triangles().len(), 1);
+
+        assert!(flags.is_given());
 
         let head = TexturedModelFlags { model: ModelFlag { file: None, fit: None }, ..flags };
+        assert!(!head.is_given());
         assert!(head.read(Attributes::default()).unwrap_err().to_string().contains("cannot read none.png"));
     }
 
@@ -245,6 +249,8 @@ mod tests {
             (0.000_123_4, 0.002, "0.00012"),
             (-12.345_678, 0.05, "-12.3457"),
             (1e30, 1e29, "1.00e30"),
+            (1.2345e15, 1e15, "1.23e15"),
+            (2e6, 1.0, "2.00e6"),
             (5.0, 0.0, "5"),
         ] {
             assert_eq!(placed(coordinate, size), told);
@@ -264,6 +270,7 @@ mod tests {
             ),
             (1200.0, None, Some("it reaches to 1200, and what")),
             (5e7, None, Some("it reaches to 5.00e7, and what")),
+            (0.01, None, None),
             (0.001, None, Some("it reaches to 0.001 only: --fit makes it as large as the view")),
             (0.001, Some(Up::Y), Some("0.002 x 0.002 x 0 units about (0, 0, 0), y up, scaled by 632")),
             (1200.0, Some(Up::Z), Some("2400 x 2400 x 0 units about (0, 0, 0), z up, scaled by 5.27e-4")),

@@ -45,7 +45,6 @@ fn name(folder: &Path, materials: &Materials) -> Result<(String, usize), String>
         let one = within(folder, library).and_then(|path| read(&path));
         let all = match one {
             Ok(bytes) => vec![Ok(bytes)],
-            Err(error) if !library.contains(char::is_whitespace) => vec![Err(error)],
             Err(_) => library
                 .split_whitespace()
                 .map(|name| within(folder, name).and_then(|path| read(&path)))
@@ -160,6 +159,17 @@ mod tests {
         }
     }
 
+    #[test]
+    fn fields_of_a_checker_that_share_a_side_differ() {
+        let checker = checker();
+        for (x, y, color) in checker.pixels() {
+            assert!(
+                [(x + 1, y), (x, y + 1)].iter().all(|&(x, y)| checker.get(x, y) != Some(color)),
+                "({x}, {y})"
+            );
+        }
+    }
+
     /// Of a folder with a texture in it, beside it and below, and files that are no texture.
     #[test]
     fn a_models_texture_is_the_one_that_its_material_names() {
@@ -180,6 +190,7 @@ mod tests {
                          newmtl drive\nmap_Kd C:\\a.png\nnewmtl bare\nmap_Kd\nmap_Kd -s 1 1 1";
         fs::write(folder.join("a b.mtl"), materials).unwrap();
         fs::write(folder.join("c.mtl"), "newmtl c\n").unwrap();
+        fs::write(folder.join("d.mtl"), "newmtl in\nmap_Kd maps/in side.png").unwrap();
         for (library, used, said) in [
             ("a b.mtl", &["plain", "in", "out"][..], "its texture is "),
             ("c.mtl", &["in"], "drawn with a checker, as it names none; --texture FILE gives it another"),
@@ -194,6 +205,7 @@ mod tests {
             ("a b.mtl", &["jpg"], "must end in .tga or .png"),
             ("a b.mtl", &["half"], "half.png: not a picture that can be read"),
             ("none.mtl", &["in"], "none.mtl is not there;"),
+            ("none.mtl d.mtl", &["in"], "its texture is "),
             ("../a.mtl", &["in"], "as ../a.mtl is not in the model's folder;"),
         ] {
             let materials = Materials {

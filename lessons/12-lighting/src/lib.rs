@@ -10,6 +10,9 @@
 //! ([`NORMALISATIONS`]), [`power`] ways to compute powers ([`POWERS`]), each with its error. From lesson 7 comes what turns
 //! normals, from lesson 9 what a shader is, from lesson 11 the loop.
 //!
+//! What a surface brings besides its colour is in [`looks`] ([`LOOKS`]): normals from a map, in the model's space
+//! ([`normal_map`]) or in the surface's own ([`tangent`]), a [`specular_map`], and a cartoon's outline ([`toon`]).
+//!
 //! [`METHODS`] holds four looks, from one brightness for each triangle to one for each pixel.
 //!
 //! Conventions: as in lesson 11. Light is computed **in the world**: positions by the model's matrix M, normals by (M⁻¹)ᵀ.

@@ -2,9 +2,10 @@
 //!
 //! The outline is the mesh once more, black, a little swollen, and seen from within: its vertices are moved along their
 //! normals, and only the triangles that show their back are drawn. In front of the model there are none; around it, and around
-//! each part of it that stands before another, as much is seen of them as they were moved. It is as wide everywhere, which a
-//! line where |n·v| is small is not: that is wide where the surface bends slowly and missing where it has an edge. What it costs
-//! is the mesh a second time.
+//! each part of it that stands before another, as much is seen of them as they were moved. So it is about as wide everywhere,
+//! which a line where |n·v| is small is not: that is wide where the surface bends slowly, and missing where it has an edge. What
+//! it costs is the mesh a second time; and it takes a closed mesh whose corners run counterclockwise: a sheet has no outline, and
+//! what is turned inside out is hidden by it.
 
 use clipping::{Clipping, Cull, Drawn, Mesh, render};
 use common::direction::unit;

@@ -75,10 +75,33 @@ pub fn distance(a: Color, b: Color) -> u8 {
     a.r.abs_diff(b.r).max(a.g.abs_diff(b.g)).max(a.b.abs_diff(b.b)).max(a.a.abs_diff(b.a))
 }
 
+/// By how many grey levels two pictures of one size differ on average at the pixels that count, all three channels taken
+/// alike. NaN where none counts.
+#[must_use]
+pub fn mean_difference(a: &Image, b: &Image, counts: impl Fn(i32, i32) -> bool) -> f64 {
+    let both = a.pixels().zip(b.pixels()).filter(|((x, y, _), _)| counts(*x, *y));
+    let (sum, count) = both.fold((0.0, 0.0), |(sum, count), ((.., a), (.., b))| {
+        let off = [a.r.abs_diff(b.r), a.g.abs_diff(b.g), a.b.abs_diff(b.b)];
+        (sum + off.map(f64::from).iter().sum::<f64>() / 3.0, count + 1.0)
+    });
+    sum / count
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use common::Format;
+
+    #[test]
+    fn a_mean_is_over_what_counts() {
+        let black = Image::new(4, 1, Format::Rgb);
+        let mut other = black.clone();
+        other.set(1, 0, Color::rgb(30, 0, 0));
+        other.set(2, 0, Color::rgb(1, 1, 1));
+        assert_eq!(mean_difference(&black, &other, |_, _| true), 11.0 / 4.0);
+        assert_eq!(mean_difference(&other, &black, |x, _| x == 1), 10.0);
+        assert!(mean_difference(&black, &other, |_, _| false).is_nan());
+    }
 
     #[test]
     fn each_fault_is_told_and_the_tolerance_kept() {

@@ -1,6 +1,7 @@
+use common::{Color, Image};
 use shaders::LESSON;
 use tempfile::tempdir;
-use verify::{run, usage};
+use verify::{CRATE, SPHERE, run, usage};
 
 #[test]
 fn what_holds_for_every_lesson() {
@@ -35,6 +36,25 @@ fn wrong_command_lines() {
             ),
         ],
     );
+}
+
+/// The four looks are of one model: their depths are the same, each in its own cell.
+#[test]
+fn each_cell_has_its_depths() {
+    let folder = tempdir().unwrap();
+    let scene =
+        ["--model", SPHERE, "--texture", CRATE, "--size", "60x40", "--out", "a.png", "--depth", "b.png"];
+    assert!(run("shaders", folder.path(), &scene).status.success());
+    let depth = Image::read(&folder.path().join("b.png")).unwrap();
+    let cell = |left, bottom| {
+        let pixels = (0..20).flat_map(move |y| (0..30).map(move |x| (left + x, bottom + y)));
+        pixels.map(|(x, y)| depth.get(x, y).unwrap()).collect::<Vec<_>>()
+    };
+    let first = cell(0, 0);
+    assert!(first.contains(&Color::WHITE) && first.contains(&Color::BLACK));
+    for (left, bottom) in [(30, 0), (0, 20), (30, 20)] {
+        assert!(cell(left, bottom) == first, "({left}, {bottom})");
+    }
 }
 
 /// A look without a texture needs neither the file nor the model's texture coordinates.

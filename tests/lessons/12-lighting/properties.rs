@@ -1,12 +1,14 @@
 use std::f64::consts::TAU;
 
 use checks::lamp::{Highlight, Lamp, level};
-use common::{Color, Mat3, Vec2, Vec3};
+use clipping::Cull;
+use common::{Color, Format, Image, Mat3, Vec2, Vec3};
 use fastrand::Rng;
 use lighting::normalisation::{Fast, MAGIC};
 use lighting::reflection::{Halfway, Mirrored, PointLit};
-use lighting::shader::{PerCorner, PerPixel, PerTriangle};
-use lighting::{Falloff, METHODS, NORMALISATIONS, POWERS, PointLight, Reflected, blinn_phong, phong};
+use lighting::shader::{PerCorner, PerPixel, PerTriangle, draw};
+use lighting::surface::{Shape, Smooth, Surface};
+use lighting::{Falloff, METHODS, NORMALISATIONS, POWERS, PointLight, Reflected, Scene, blinn_phong, phong};
 use proptest::prelude::*;
 use shaders::Lit;
 use shaders::lighting::{Flat, Gouraud};
@@ -15,7 +17,7 @@ use shaders::source::{Texture, White};
 use transforms::rotation::rodrigues;
 use verify::method;
 
-use crate::stage::Stage;
+use crate::stage::{SIDE, Stage};
 
 type Model = fn(Vec3, Vec3, Vec3, &PointLight) -> Reflected;
 
@@ -295,4 +297,40 @@ fn a_shader_interpolates_what_it_uses_and_no_more() {
     assert_eq!(varying::<PerTriangle<PointLit<Mirrored>>>(), size_of::<Vec2>());
     assert_eq!(varying::<PerCorner<PointLit<Mirrored>>>(), size_of::<(Vec2, (f32, f32))>());
     assert_eq!(varying::<PerPixel<PointLit<Halfway>>>(), size_of::<(Vec2, (Vec3, Vec3))>());
+}
+
+/// Smooth, and half as glossy.
+struct Worn;
+
+impl Surface for Worn {
+    type Constant = ();
+    type Varying = Vec3;
+
+    fn triangle(&self, _: &Scene, _: usize) {}
+
+    fn corner(&self, scene: &Scene, face: usize, corner: usize) -> Vec3 {
+        Smooth.corner(scene, face, corner)
+    }
+
+    fn at(&self, scene: &Scene, (): (), uv: Vec2, normal: Vec3) -> Shape {
+        Shape { gloss: 0.5, ..Smooth.at(scene, (), uv, normal) }
+    }
+}
+
+/// A surface half as glossy under a light is drawn as a glossy one under a light half as specular.
+#[test]
+fn gloss_is_a_share_of_the_highlight() {
+    let light = PointLight { position: Vec3::new(0.3, 0.2, 2.0), ..PointLight::default() };
+    let drawn = |light: PointLight, worn: bool| {
+        let stage = Stage::wall([Vec3::Z; 4], light);
+        let (scene, mut image) = (stage.scene(), Image::new(SIDE, SIDE, Format::Rgb));
+        if worn {
+            draw(&PerPixel::<PointLit<Halfway>, _>::new(&scene, Worn), &stage.mesh, Cull::Back, &mut image);
+        } else {
+            draw(&PerPixel::<PointLit<Halfway>, _>::new(&scene, Smooth), &stage.mesh, Cull::Back, &mut image);
+        }
+        image
+    };
+    let half = drawn(PointLight { specular: light.specular / 2.0, ..light }, false);
+    assert!(drawn(light, true) == half && drawn(light, false) != half);
 }

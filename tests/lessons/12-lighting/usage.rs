@@ -40,11 +40,45 @@ fn wrong_command_lines() {
             (&["--fov", "180"], "less than 180"),
             (&["--near", "0"], "must lie before the eye, at more than 0"),
             (&["--eye", "1,2,3", "--center", "1,2,3"], "--eye and --center are one point: move one of them"),
+            (
+                &["--look", "shiny"],
+                "--look shiny: there are plain, object-normals, tangent-normals, specular-map, toon",
+            ),
             (&["--turntable", "0"], "--turntable <N>"),
             (&["--turntable", "3", "--depth", "a.png"], "cannot be used with"),
             (&["--projection", "w"], "'--projection': this lesson has no such flag"),
         ],
     );
+}
+
+/// The head's maps are the head's; another model brings its own, or is drawn by a look without.
+#[test]
+fn maps_belong_to_a_model() {
+    let folder = tempdir().unwrap();
+    let said = |flags: &[&str]| {
+        let scene = ["--model", SPHERE, "--texture", CRATE, "--out", "a.png", "--size", "20x20", "--quiet"];
+        let output = run("lighting", folder.path(), &[&scene[..], flags].concat());
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    for (look, flag) in [
+        (&["--look", "object-normals"][..], "normal-map"),
+        (&["--look", "tangent-normals"], "normal-map"),
+        (&["--look", "specular-map"], "normal-map"),
+        (&["--look", "specular-map", "--normal-map", CRATE], "specular-map"),
+    ] {
+        let (code, told) = said(look);
+        let cure = format!("{}: the head's map fits no other model; give one by --{flag} FILE", look[1]);
+        assert!(code == Some(2) && told.contains(&cure) && told.lines().count() == 1, "{told}");
+    }
+    let (code, told) = said(&["--look", "tangent-normals", "--normal-map", "none.png"]);
+    assert!(code == Some(1) && told.contains("cannot read none.png"), "{told}");
+    // What a look does not need is not looked at.
+    for look in ["plain", "toon"] {
+        let flags = ["--look", look, "--normal-map", "none.png", "--specular-map", "none.png"];
+        assert_eq!(said(&flags), (Some(0), String::new()));
+    }
+    let maps = ["--look", "specular-map", "--normal-map", CRATE, "--specular-map", CRATE];
+    assert_eq!(said(&maps), (Some(0), String::new()));
 }
 
 /// What a white square shows in its middle, with these flags and the eye straight before it.
@@ -118,6 +152,16 @@ fn a_scene_far_away_is_lit_as_one_here() {
     let there = Image::read(&folder.path().join("a.png")).unwrap();
     let differ = here.pixels().filter(|&(x, y, color)| there.get(x, y) != Some(color)).count();
     assert!(differ < 20, "{differ}");
+}
+
+/// The ends of what flags take are taken.
+#[test]
+fn the_least_and_the_most_are_taken() {
+    let shares = ["--ambient", "1000000", "--diffuse", "1e6", "--specular", "0", "--shininess", "1e6"];
+    assert_eq!(middle(&[&shares[..], &["--light-at", "1e18,-1e18,1e18"]].concat()), 255);
+    assert_eq!(middle(&["--stretch", "1000,1000,0.001", "--ambient", "0.6", "--light-at", "0,0,-1"]), 153);
+    let dark = ["--ambient", "0", "--diffuse", "0", "--specular", "0", "--shininess", "0"];
+    assert_eq!(middle(&[&dark[..], &["--light-at", "-1e18,1e18,-1e18"]].concat()), 0);
 }
 
 /// The eye goes round, the light stays: another part of the model is lit in each picture.

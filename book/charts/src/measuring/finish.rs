@@ -25,7 +25,7 @@ use super::speed::spread;
 use super::table::{Quantity, number, numbers, spaced};
 use super::{Comparison, Pictures, Run, caption};
 
-pub(crate) const COMPARISON: Comparison = Comparison { name: "finish", works, measure, draw: pictures };
+pub(super) const COMPARISON: Comparison = Comparison { name: "finish", works, measure, draw: pictures };
 
 /// The size in which pictures are looked at.
 const SIDE: u16 = 800;
@@ -274,7 +274,7 @@ fn finding(rows: &[Row], error: fn(&Row) -> f64, best: fn(&Row) -> bool) -> Stri
 }
 
 /// The root of the mean squared difference of a channel, over the pixels that count.
-fn rms(got: &Image, expected: &[[f64; 3]], counts: impl Fn(usize) -> bool) -> f64 {
+pub(crate) fn rms(got: &Image, expected: &[[f64; 3]], counts: impl Fn(usize) -> bool) -> f64 {
     let pairs = channels(got).zip(expected).enumerate().filter(|(n, _)| counts(*n));
     let square =
         |(_, (a, b)): (usize, ([f64; 3], &[f64; 3]))| (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>();
@@ -285,7 +285,7 @@ fn rms(got: &Image, expected: &[[f64; 3]], counts: impl Fn(usize) -> bool) -> f6
 /// FLIP at each pixel, which weighs differences as an eye sees them that alternates between the two pictures
 /// (P. Andersson and others, *FLIP: a difference evaluator for alternating images*, HPG 2020). 0 is none, 1 the
 /// largest.
-fn flip(got: &Image, expected: &[[f64; 3]]) -> Vec<f32> {
+pub(crate) fn flip(got: &Image, expected: &[[f64; 3]]) -> Vec<f32> {
     let (width, height) = (got.width() as u32, got.height() as u32);
     let bytes: Vec<u8> = expected.iter().flatten().map(|channel| channel.round() as u8).collect();
     let [expected, got] =
