@@ -47,7 +47,7 @@ pub fn bilinear<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap) -> Vec4 {
 
 // ANCHOR: bilinear_8
 /// The same with weights of 8 bits, k/256, as graphics hardware has them (NVIDIA, *CUDA C++ Programming Guide*, *Linear
-/// filtering*: "9-bit fixed point format with 8 bits of fractional value"; Direct3D 11 asks for at least 8 bits).
+/// Filtering*: "9-bit fixed point format with 8 bits of fractional value").
 #[inline]
 #[must_use]
 pub fn bilinear_8<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap) -> Vec4 {
@@ -104,8 +104,10 @@ pub const MOST_PROBES: u16 = 16;
 // ANCHOR: anisotropic
 /// The mean of up to 16 probes along the footprint's long axis, each trilinear, at the level of the short one.
 ///
-/// As many as it takes for them to be no farther apart than the short axis is long, nor closer than texels are. Where 16 do
-/// not reach, the level is that of a 16th of the long axis.
+/// As many as the long axis is times as long as the short one, or, where this is less than a texel, as the texel; where 16
+/// do not reach, the level is that of a 16th of the long axis. (The extension `EXT_texture_filter_anisotropic` of OpenGL
+/// has the quotient rounded up. Rounded to nearest, a footprint that is hardly longer than wide costs one probe, and is not
+/// broadened by a second.)
 #[inline]
 #[must_use]
 pub fn anisotropic<L: Layout>(texture: &Texture<L>, uv: Vec2, footprint: Footprint) -> Vec4 {

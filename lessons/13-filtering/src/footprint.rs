@@ -9,8 +9,9 @@
 //! seen at the pixel (X, Y). So 1/w = Σcᵢ, u/w = Σuᵢcᵢ and v/w = Σvᵢcᵢ are linear functions of X and Y, also where a corner
 //! is behind the eye and the triangle is cut: nine numbers a triangle. And u = (u/w)/(1/w), so
 //! ∂u/∂x = (∂(u/w)/∂x − u·∂(1/w)/∂x) / (1/w). Only a quotient of these is asked for, so that a common factor, such as 1/det M,
-//! may be left out, and of u/w and v/w only the derivatives. Hardware takes differences between the pixels of a 2×2 square
-//! instead (P. Heckbert, *Fundamentals of texture mapping and image warping*, 1989, derives both).
+//! may be left out, and of u/w and v/w only the derivatives are needed (P. Heckbert, *Fundamentals of texture mapping and
+//! image warping*, 1989, has the same of a plane). Graphics interfaces let hardware take differences between the pixels of
+//! a 2×2 square instead (Vulkan 1.3, *Derivative Operations*).
 
 use common::{DVec2, DVec3, Vec2, Vec4};
 
@@ -36,7 +37,7 @@ pub struct Axes {
 
 /// The level of a texture of that size, in texels, whose texels are as large as the footprint is long: the logarithm to the
 /// base 2 of the longer of its two sides, in texels. 0 where a pixel moves by one texel, negative where the texture is
-/// enlarged, −∞ where it stands still. (Vulkan 1.3, *Scale factor operation* and *Level of detail operation*.)
+/// enlarged, −∞ where it stands still. (Vulkan 1.3, *Scale Factor Operation* and *Level-of-Detail Operation*.)
 // ANCHOR: level
 #[inline]
 #[must_use]

@@ -140,7 +140,7 @@ pub const LAYOUTS: &[Method<Keep>] = &[
         name: "morton",
         run: walk::<Morton>,
         promise: "squares of squares: near in the texture is near in memory, whatever the size of line or cache",
-        failure: "some twenty operations for each texel; sides are padded to powers of 2, up to 4 times the memory",
+        failure: "some thirty operations for each texel; sides are padded to powers of 2, up to 4 times the memory",
     },
 ];
 

@@ -3,7 +3,8 @@
 //! The codes 0 to 255 of a picture are spaced as the eye tells brightness, not as light: a field of black and white
 //! points sends out half the light of white, and the code of that is 188, not 128 (sRGB, IEC 61966-2-1:1999). What
 //! averages colours should average light. Hardware does: of a texture that is declared sRGB it decodes each texel
-//! before it filters, by a table, as a code has no more than 256 values (Vulkan 1.3, *Texel filtering*).
+//! before it filters (Vulkan 1.3, *Texel Input Operations*, *Format Conversion*). Here a table
+//! does it, as a code has no more than 256 values.
 //!
 //! Light is counted from 0 to 255 here, so that codes may also be taken for light, as they are.
 

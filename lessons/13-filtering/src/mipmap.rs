@@ -2,8 +2,8 @@
 //!
 //! Each side of a level is half as long as before, rounded down, but at least 1. Where it was odd, 2m + 1 texels become m,
 //! and each of them covers more than two: with shares of (m − i)/(2m + 1), m/(2m + 1) and (i + 1)/(2m + 1) of three
-//! neighbours, texel i is the mean of just what it covers (E. Guthe and P. Heckbert, *Non-power-of-two mipmapping*, NVIDIA,
-//! 2005). Leaving the last column out instead, as ⌊n/2⌋ pairs, would lose what is in it, and shift all else.
+//! neighbours, texel i is the mean of just what it covers (S. Guthe and P. Heckbert, *Non-power-of-two mipmap creation*,
+//! NVIDIA, 2005). Leaving the last column out instead, as ⌊n/2⌋ pairs, would lose what is in it, and shift all else.
 //!
 //! Each level is computed from the one before, as it was before its light was rounded to codes.
 

@@ -33,20 +33,15 @@ impl Filterable {
         mipmap: Mipmap,
         wrap: Wrap,
     ) -> anyhow::Result<Vec<Self>> {
-        let models = Loaded::read_model(flags, Default::default(), origin, SLABS)?;
-        Ok(models
-            .into_iter()
-            .enumerate()
-            .map(|(n, loaded)| {
-                let texture = if n == 0 {
-                    mipmap.texture(&loaded.texture, wrap)
-                } else {
-                    mipmap.texture(&fine(&loaded.texture), wrap)
-                };
-                let mesh = indexed(&loaded.model, &loaded.normals, Attributes { normals: true, uvs: true });
-                Self { loaded, mesh, texture }
-            })
-            .collect())
+        let mut models = Loaded::read_model(flags, Default::default(), origin, SLABS)?;
+        models.iter_mut().skip(1).for_each(|floor| floor.texture = fine(&floor.texture));
+        let needs = Attributes { normals: true, uvs: true };
+        let with_texture = |loaded: Loaded| {
+            let mesh = indexed(&loaded.model, &loaded.normals, needs);
+            let texture = mipmap.texture(&loaded.texture, wrap);
+            Self { loaded, mesh, texture }
+        };
+        Ok(models.into_iter().map(with_texture).collect())
     }
 
     /// What a shader reads of it, under a light and before a camera.
@@ -56,7 +51,8 @@ impl Filterable {
     }
 }
 
-/// The floor's checks in more texels: of one to a field, a filter that blends neighbours would leave no field as it is.
+/// The floor's checks in 256×256 texels instead of 2×2. Of one texel to a field, a filter that blends neighbours would leave
+/// no field as it is.
 #[must_use]
 pub fn fine(checks: &Image) -> Image {
     checks.scale(SIDE, SIDE)

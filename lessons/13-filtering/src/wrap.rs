@@ -60,7 +60,8 @@ impl Wrap {
     }
 
     /// The texel, from 0 to n − 1, that stands for texel i of a row of n, from −1 to as many as there are in a period.
-    /// (As Vulkan 1.3 defines them in *Wrapping operation*, where i may be anything.)
+    /// (As Vulkan 1.3 has it in *Wrapping Operation*, where i
+    /// may be anything.)
     #[inline]
     #[must_use]
     pub fn texel(self, i: i32, n: i32) -> i32 {

@@ -68,6 +68,25 @@ proptest! {
         }
     }
 
+    /// Whatever numbers it is given, no method makes a channel brighter or darker than it is anywhere in the texture.
+    #[test]
+    fn no_colour_is_made_that_is_not_between_texels(
+        (width, height) in (1_u16..9, 1_u16..9), wrap in any_wrap(), numbers in proptest::collection::vec(any_number(), 6),
+    ) {
+        let image = noise(width, height);
+        let [u, v, xu, xv, yu, yv] = numbers[..] else { unreachable!() };
+        let footprint = Footprint { x: Vec2::new(xu, xv), y: Vec2::new(yu, yv) };
+        let texture = method(MIPMAPS, "box-linear").texture(&image, wrap);
+        for method in METHODS {
+            let got = (method.run.color)(&texture, Vec2::new(u, v), footprint);
+            for channel in [|c: Color| c.r, |c: Color| c.g, |c: Color| c.b] {
+                let values = || image.pixels().map(|pixel| channel(pixel.2));
+                let (low, high) = (values().min().unwrap(), values().max().unwrap());
+                prop_assert!((low..=high).contains(&channel(got)), "{}: {got:?}", method.name);
+            }
+        }
+    }
+
     /// All levels of one colour are of that colour, each side half as long as before, down to one texel.
     #[test]
     fn all_levels_of_one_colour_are_of_that_colour(
@@ -175,6 +194,12 @@ proptest! {
         }
         let image = noise(width, height);
         prop_assert!(keeps::<Rows>(&image) && keeps::<Tiles>(&image) && keeps::<Morton>(&image));
+        // And no more padding than is told.
+        let (w, h) = (u32::from(width), u32::from(height));
+        let texels = (w * h) as usize;
+        prop_assert_eq!(Rows::new(w, h).texels(), texels);
+        prop_assert!(Tiles::new(w, h).texels() <= ((w + 3) * (h + 3)) as usize);
+        prop_assert!(Morton::new(w, h).texels() < 4 * texels);
     }
 
     /// All layouts give the same colours.
@@ -245,6 +270,9 @@ fn codes_are_rounded_as_they_are_seen() {
             assert_eq!(grey(&SRGB, (border * (1.0 - off)) as f32), n, "{n}");
         }
         assert_eq!(grey(&ENCODED, (n as f32 + 0.5).next_down()), n);
+        // The first f32 that is not below the border has the upper code.
+        let above = if f64::from(border as f32) < border { (border as f32).next_up() } else { border as f32 };
+        assert_eq!([grey(&SRGB, above), grey(&SRGB, above.next_down())], [n.saturating_add(1), n], "{n}");
     }
     for _ in 0..200_000 {
         let light = 255.0 * rng.f32() * rng.f32() * rng.f32();

@@ -802,6 +802,46 @@ fn a_sinc_keeps_what_a_level_can_hold_and_less_of_what_it_cannot() {
     }
 }
 
+/// Beside an edge a sinc overshoots: a dark rim in what is dark, a bright one in what is bright. A box does not.
+#[test]
+fn a_sinc_rings_beside_an_edge() {
+    let mut image = Image::new(64, 1, Format::Gray);
+    (0..64).for_each(|x| image.set(x, 0, Color::gray(if x < 31 { 0.4 } else { 0.8 })));
+    let ends = |name: &str| {
+        let level = &method(MIPMAPS, name).levels(&image, Wrap::Clamp)[1];
+        let codes = || level.pixels().map(|pixel| pixel.2.r);
+        [codes().min().unwrap(), codes().max().unwrap()]
+    };
+    assert_eq!(ends("box-linear"), [102, 204]);
+    let [dark, bright] = ends("lanczos-linear");
+    assert!(dark < 90 && bright > 208, "{dark} {bright}");
+}
+
+/// The largest step from a code to the next on the way from black to white, enlarged a thousand times.
+const RAMP: &[Case<()>] = &[(
+    "black to white",
+    (),
+    &[
+        ("nearest", Between(255.0, 255.0)),
+        ("bilinear, trilinear, anisotropic", Between(1.0, 1.0)),
+        ("bilinear-8", Between(13.0, 13.0)),
+    ],
+)];
+
+#[test]
+fn weights_of_8_bits_show_beside_black() {
+    let mut image = Image::new(2, 1, Format::Gray);
+    image.set(1, 0, Color::WHITE);
+    let texture = method(MIPMAPS, "box-linear").texture(&image, Wrap::Clamp);
+    let footprint = Footprint { x: Vec2::new(0.0005, 0.0), y: Vec2::new(0.0, 0.0005) };
+    every_method(LESSON.name, METHODS, RAMP, |method, ()| {
+        let codes: Vec<f64> = (0..=20_000)
+            .map(|n| (method.run.color)(&texture, Vec2::new(n as f32 / 20_000.0, 0.5), footprint).r.into())
+            .collect();
+        codes.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+    });
+}
+
 const W: &[Row] = &[("clamp, repeat, mirror", Exact)];
 
 /// u, and the texel of 5 that is there by each wrap.
