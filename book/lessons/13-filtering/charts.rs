@@ -116,8 +116,8 @@ pub(crate) const LAYOUTS_CHART: Chart = Chart {
     },
     wrong: &[],
     advice: &[
-        ("tiles-4x4", "large textures, seen from any side"),
-        ("rows", "textures that fit into the cache, or are walked along their rows"),
+        ("rows", "here, where a look-up computes for longer than it waits"),
+        ("tiles-4x4", "where lines of memory are what counts, as in hardware"),
         ("morton", "where nobody knows how large lines and caches are"),
     ],
 };

@@ -128,13 +128,13 @@ pub const LAYOUTS: &[Method<Keep>] = &[
         name: "rows",
         run: walk::<Rows>,
         promise: "a product and a sum; along a row, sixteen texels to a line of memory",
-        failure: "up a column, a line of memory for each texel: once a texture is larger than the cache, each is waited for",
+        failure: "up a column, a line of memory for each texel, up to four times as many as in squares",
     },
     Method {
         name: "tiles-4x4",
         run: walk::<Tiles>,
         promise: "a line of memory holds a square of 4×4: alike in all directions; at most 3 columns and rows of padding",
-        failure: "shifts and masks for each texel; where all of the texture is in the cache they buy nothing",
+        failure: "shifts and masks for each texel; beside the arithmetic of a filter, fewer lines buy no time here",
     },
     Method {
         name: "morton",
