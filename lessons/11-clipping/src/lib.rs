@@ -20,6 +20,7 @@
 pub mod assembly;
 pub mod clip;
 pub mod facing;
+pub mod flags;
 pub mod homogeneous;
 pub mod mesh;
 pub mod plane;

@@ -3,8 +3,9 @@
 use std::process::ExitCode;
 
 use camera::flags::ViewFlags;
+use clipping::flags::CullFlag;
 use clipping::mesh::indexed;
-use clipping::{Clipping, Cull, Mesh, SLABS, draw};
+use clipping::{Clipping, Mesh, SLABS, draw};
 use common::program::{Extras, Program, run};
 use common::{Attributes, Image, Lesson, Method};
 use gouraud::flags::SceneFlags;
@@ -23,16 +24,8 @@ struct Flags {
     view: ViewFlags,
     #[command(flatten)]
     camera: CameraFlags,
-
-    /// Which triangles are left out: those that show their back, those that show their front, or none
-    #[arg(
-        long,
-        value_name = "back|front|none",
-        value_enum,
-        hide_possible_values = true,
-        default_value = "back"
-    )]
-    cull: Cull,
+    #[command(flatten)]
+    cull: CullFlag,
 }
 
 /// A head on a floor, or a model alone, each with its vertices unified.
@@ -66,7 +59,7 @@ impl Program for Scene {
         let light = flags.scene.light.direction;
         let models: Vec<_> =
             self.models.iter().map(|(loaded, mesh)| (loaded.uniforms(light, to_clip), mesh)).collect();
-        let drawn = draw(&models, flags.cull, *method, picture);
+        let drawn = draw(&models, flags.cull.which, *method, picture);
         let depth = flags.scene.depth.picture(|| drawn.depths.picture_by(|depth| -f64::from(depth)));
         Ok(Extras { depth, left_out: drawn.counts.left_out })
     }

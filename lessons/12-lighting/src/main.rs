@@ -3,8 +3,9 @@
 use std::process::ExitCode;
 
 use camera::flags::{TurntableFlag, ViewFlags};
+use clipping::Mesh;
+use clipping::flags::CullFlag;
 use clipping::mesh::indexed;
-use clipping::{Cull, Mesh};
 use common::program::{Extras, Output, Program, UsageError, named, run};
 use common::{Attributes, Image, Lesson, Method};
 use gouraud::flags::SceneFlags;
@@ -33,16 +34,8 @@ struct Flags {
     view: ViewFlags,
     #[command(flatten)]
     camera: CameraFlags,
-
-    /// Which triangles are left out: those that show their back, those that show their front, or none
-    #[arg(
-        long,
-        value_name = "back|front|none",
-        value_enum,
-        hide_possible_values = true,
-        default_value = "back"
-    )]
-    cull: Cull,
+    #[command(flatten)]
+    cull: CullFlag,
 
     #[command(flatten)]
     turntable: TurntableFlag,
@@ -92,8 +85,8 @@ impl Program for Lighting {
             Scene::placed(&self.loaded, scale(flags.stretch.factors), camera, eye, flags.light.light(origin))
                 .ok_or_else(|| UsageError("--stretch: it flattens the model".into()))?;
         let drawn = match &self.look {
-            None => method(&scene, &self.mesh, flags.cull, picture),
-            Some((look, maps)) => (look.draw)(&scene, maps, &self.mesh, flags.cull, picture),
+            None => method(&scene, &self.mesh, flags.cull.which, picture),
+            Some((look, maps)) => (look.draw)(&scene, maps, &self.mesh, flags.cull.which, picture),
         };
         let depth = flags.scene.depth.picture(|| drawn.depths.picture_by(|depth| -f64::from(depth)));
         Ok(Extras { depth, left_out: drawn.counts.left_out })

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use camera::flags::{TurntableFlag, ViewFlags};
-use clipping::Cull;
+use clipping::flags::CullFlag;
 use common::program::flags::{DepthFlag, LightFlag};
 use common::program::model::TexturedModelFlags;
 use common::program::{Extras, Output, Program, named, run};
@@ -39,16 +39,8 @@ struct Flags {
     turntable: TurntableFlag,
     #[command(flatten)]
     camera: CameraFlags,
-
-    /// Which triangles are left out: those that show their back, those that show their front, or none
-    #[arg(
-        long,
-        value_name = "back|front|none",
-        value_enum,
-        hide_possible_values = true,
-        default_value = "back"
-    )]
-    cull: Cull,
+    #[command(flatten)]
+    cull: CullFlag,
 }
 
 /// A head on a floor, or a model alone.
@@ -79,7 +71,7 @@ impl Program for Scene {
         let to_clip = flags.camera.projection(size.x / size.y)? * flags.view.look(view)?;
         let light = flags.light.direction;
         let surfaces: Vec<Surface> = self.models.iter().map(|model| model.surface(light, to_clip)).collect();
-        let drawn = (method.draw)(&surfaces, flags.cull, picture);
+        let drawn = (method.draw)(&surfaces, flags.cull.which, picture);
         let depth = flags.depth.picture(|| drawn.depths.picture_by(|depth| -f64::from(depth)));
         Ok(Extras { depth, left_out: drawn.counts.left_out })
     }
