@@ -4,16 +4,13 @@
 pub(crate) mod charts;
 pub(crate) mod figures;
 
-use crate::lessons::{Lesson, Picture};
+use crate::lessons::Lesson;
 
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: shaders::LESSON,
     methods: "five shaders, through `dyn` or generic",
     picture: "The head four times, flat and smooth, white and textured",
-    more_pictures: &[Picture {
-        name: "head",
-        flags: &["--shader", "gouraud-texture", "--eye", "1,0.3,2.2", "--light", "0.2,0.5,1"],
-    }],
+    more_pictures: &[],
     figures: figures::FIGURES,
     #[cfg(feature = "measure")]
     charts: &[charts::METHODS_CHART, charts::WHITE_CHART, charts::TEXTURED_CHART],

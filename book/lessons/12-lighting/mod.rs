@@ -6,13 +6,13 @@ mod answers;
 pub(crate) mod charts;
 pub(crate) mod figures;
 
-use crate::lessons::Lesson;
+use crate::lessons::{Lesson, Picture};
 
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: lighting::LESSON,
     methods: "four ways to light a surface, five to make its normals 1 long, five to compute a power",
     picture: "The head under a lamp, with highlights",
-    more_pictures: &[],
+    more_pictures: &[Picture { name: "head", flags: &["--look", "specular-map"] }],
     figures: figures::FIGURES,
     #[cfg(feature = "measure")]
     charts: &[charts::METHODS_CHART, charts::NORMALISATIONS_CHART, charts::POWERS_CHART],

@@ -185,7 +185,7 @@ fn both(place: Place) -> Task<Lighting> {
 
 fn light_code(light: &PointLight) -> String {
     let PointLight { position, ambient, diffuse, specular, shininess } = light;
-    let [ambient, diffuse, specular, shininess] = [ambient, diffuse, specular, shininess].map(|n| n.code());
+    let [ambient, diffuse, specular, shininess] = [ambient, diffuse, specular, shininess].map(Code::code);
     format!(
         "PointLight {{ position: {}, ambient: {ambient}, diffuse: {diffuse}, specular: {specular}, \
          shininess: {shininess} }}",
