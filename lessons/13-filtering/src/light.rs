@@ -19,9 +19,9 @@ pub struct Codes {
     first: [u8; FIRST],
 }
 
-/// Sixteenths from 0 to 255, both included. Each holds at most one border between codes: the narrowest of sRGB's are
-/// 1/12.92 apart.
-const FIRST: usize = 255 * 16 + 1;
+/// Sixteenths from 0 to 255; what is more counts to the last. Each holds at most one border between codes: the narrowest of
+/// sRGB's are 1/12.92 apart.
+const FIRST: usize = 255 * 16;
 
 /// sRGB: codes as all lessons' pictures have them.
 pub static SRGB: Codes = Codes::new(true);

@@ -249,6 +249,76 @@ proptest! {
     }
 }
 
+/// Of a picture's mirror image the levels are the mirror images, but for a code where rounding decides.
+#[test]
+fn levels_of_a_mirror_image_are_mirrored() {
+    let mirrored = |image: &Image| {
+        let mut mirror = image.clone();
+        for (x, y, color) in image.pixels() {
+            mirror.set(image.width() - 1 - x, image.height() - 1 - y, color);
+        }
+        mirror
+    };
+    for (width, height) in [(48, 48), (47, 33), (7, 5), (1, 40), (2, 2)] {
+        let image = noise(width, height);
+        for (mipmap, wrap) in MIPMAPS.iter().flat_map(|mipmap| WRAPS.iter().map(move |wrap| (mipmap, wrap))) {
+            let [levels, behind] =
+                [&image, &mirrored(&image)].map(|image| mipmap.run.levels(image, wrap.run));
+            for (level, behind) in levels.iter().zip(&behind) {
+                for ((x, y, a), (.., b)) in level.pixels().zip(mirrored(behind).pixels()) {
+                    let off = [a.r.abs_diff(b.r), a.g.abs_diff(b.g), a.b.abs_diff(b.b)];
+                    let names = [mipmap.name, wrap.name];
+                    assert!(off.into_iter().all(|off| off <= 1), "{names:?}, ({x}, {y}): {a:?}, {b:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Any number of a texel stands for what a row of textures has there, each as the wrap has it.
+#[test]
+fn any_texel_is_one_of_a_row_of_textures() {
+    for n in 1..9_i64 {
+        let once = || 0..n;
+        let there_and_back: Vec<i64> = once().chain(once().rev()).collect();
+        for i in -40..40_i64 {
+            let around = |period: &[i64]| period[i.rem_euclid(period.len() as i64) as usize];
+            let expected = [i.clamp(0, n - 1), around(&once().collect::<Vec<_>>()), around(&there_and_back)];
+            for (wrap, expected) in [Wrap::Clamp, Wrap::Repeat, Wrap::Mirror].into_iter().zip(expected) {
+                assert_eq!(wrap.any_texel(i, n), expected, "{wrap:?}: {i} of {n}");
+                // Where filters ask for it, the short form says the same.
+                if (-1..=n * i64::from(wrap.period())).contains(&i) {
+                    assert_eq!(i64::from(wrap.texel(i as i32, n as i32)), expected, "{wrap:?}: {i} of {n}");
+                }
+            }
+        }
+    }
+}
+
+/// Each bit of x and y has its place, of textures as large as there are.
+#[test]
+fn mortons_bits_are_in_turn() {
+    for (width, height) in [(1 << 16, 1 << 16), (1 << 16, 1 << 9), (1 << 3, 1 << 16)] {
+        let layout = Morton::new(width, height);
+        let mut next = 0;
+        for bit in 0..16 {
+            for (x, y) in [(1 << bit, 0), (0, 1 << bit)].into_iter().filter(|&(x, y)| x < width && y < height)
+            {
+                assert_eq!(layout.place(x, y), 1 << next, "({x}, {y}) of {width}x{height}");
+                next += 1;
+            }
+        }
+        assert_eq!(layout.place(width - 1, height - 1) + 1, layout.texels());
+    }
+}
+
+/// A footprint of no size has axes of none, in some direction.
+#[test]
+fn what_stands_still_has_no_axes() {
+    assert_eq!(Footprint::default().axes(), Axes { direction: Vec2::X, major: 0.0, minor: 0.0 });
+    assert_eq!(level(Footprint::default(), Vec2::splat(64.0)), f32::NEG_INFINITY);
+}
+
 /// Every code, and lights next to every border between codes.
 #[test]
 fn codes_are_rounded_as_they_are_seen() {
