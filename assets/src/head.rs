@@ -6,7 +6,7 @@
 //! | [`surface`] | a fine mesh on the field's surface |
 //! | [`decimate`] | fewer triangles, most of them in the face |
 //! | [`atlas`] | where each point lies in the texture |
-//! | [`texels`] | which point each texel shows, and what is between the patches |
+//! | [`mod@texels`] | which point each texel shows, and what is between the patches |
 //! | [`paint`] | the colour of each point |
 //! | [`shine`] | how much of a highlight each point shows |
 //! | [`relief`] | strands, pores and creases: finer than the field |
