@@ -31,6 +31,7 @@
 pub mod stability;
 #[cfg(target_os = "linux")]
 pub mod terminal;
+pub mod turns;
 pub mod usage;
 
 use std::collections::BTreeMap;

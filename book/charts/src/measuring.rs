@@ -51,7 +51,9 @@ use frontier::{Figure, close, contradicted};
 use machine::{Machine, processor};
 use measure::{Effort, Errors, Work};
 use speed::spread;
-use table::{Chart, Point, Row, Series, number, read_points, read_rows, rows, write_points, write_rows};
+use table::{
+    Chart, Point, Row, Series, number, read_points, read_rows, rows, series_of, write_points, write_rows,
+};
 
 pub use timer::serve;
 
@@ -374,12 +376,8 @@ fn growth(chart: &Chart, run: &mut Run) -> anyhow::Result<Vec<Point>> {
     let quick = run.effort.quick;
     for &size in chart.sizes.all.iter().filter(|&&size| !quick || size <= QUICK) {
         let speeds = run.speeds(chart.name, size, 0.15)?;
-        let point = |(name, speed): (&str, speed::Speed)| Point {
-            method: name.into(),
-            at: size.to_string(),
-            value: three_digits(1e9 / speed.median()),
-        };
-        points.extend((chart.methods)().into_iter().zip(speeds).map(point));
+        let names = (chart.methods)().into_iter();
+        points.extend(names.zip(speeds).map(|(name, speed)| Point::of_time(name, size, &speed)));
     }
     Ok(points)
 }
@@ -461,11 +459,7 @@ fn speed_chart<'a>(chart: &'a Chart, rows: &[Row], caption: &str) -> draw::Speed
 
 /// The points of each method, in order.
 fn series(chart: &Chart, points: &[Point]) -> Vec<Series> {
-    let of = |method: &str| -> Series {
-        let mine = points.iter().filter(|point| point.method == method);
-        mine.map(|point| (number(&point.at), number(&point.value))).collect()
-    };
-    (chart.methods)().into_iter().map(of).collect()
+    (chart.methods)().into_iter().map(|method| series_of(method, points)).collect()
 }
 
 /// Error against stress, methods that behave alike as one line, their first failures ringed.
@@ -559,15 +553,19 @@ fn again(charts: &[&Chart], times: u32, mut run: Run) -> anyhow::Result<()> {
         let expected = figures(&read_rows(&Path::new(COMMITTED).join(format!("{}.csv", chart.name)))?);
         all += expected.len();
         unsure += close(&expected).into_iter().filter(|close| *close).count();
-        let errors = (chart.errors)(run.effort);
+        // Another processor may be faster at other things.
+        let here = committed_processor(chart.name)? == processor();
+        let found = if here { &mut moved } else { &mut elsewhere };
         for _ in 0..times {
             let mut contradict = vec![true; expected.len()];
             for n in 0..IN_A_ROW {
                 repeated += u32::from(n > 0);
-                let got = rows(chart, &errors, &run.speeds(chart.name, chart.sizes.usual, 1.0)?);
-                // It is times that are measured again: a quick run's errors are those of fewer samples.
-                let errors = expected.iter().map(|figure| figure.error);
-                let now = figures(&got).into_iter().zip(errors).map(|(now, error)| Figure { error, ..now });
+                let speeds = run.speeds(chart.name, chart.sizes.usual, 1.0)?;
+                // It is times that are measured again: a quick run's errors would be those of fewer samples.
+                let now = expected
+                    .iter()
+                    .zip(speeds)
+                    .map(|(then, now)| Figure { builds: now.builds, ..then.clone() });
                 let now = contradicted(&expected, &now.collect::<Vec<_>>());
                 contradict.iter_mut().zip(now).for_each(|(all, now)| *all &= now);
                 if !contradict.contains(&true) {
@@ -575,9 +573,6 @@ fn again(charts: &[&Chart], times: u32, mut run: Run) -> anyhow::Result<()> {
                 }
             }
             let names = (chart.methods)().into_iter().zip(contradict).filter(|(_, is)| *is);
-            // Another processor may be faster at other things.
-            let here = committed_processor(chart.name)? == processor();
-            let found = if here { &mut moved } else { &mut elsewhere };
             found.extend(names.map(|(name, _)| format!("{}: {name}", chart.name)));
             bar.inc(1);
         }

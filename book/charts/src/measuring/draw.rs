@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 
-use super::card::{Axis, Card, Layout, Mark, Words, decades, hues, stroke, text_width};
+use super::card::{Axis, Card, LAYOUTS, Layout, Mark, Words, decades, hues, stroke, text_width};
 use super::place::{Rect, place};
 use super::table::{Quantity, Series};
 
@@ -253,6 +253,11 @@ pub(crate) struct Line {
     pub(crate) ringed: Option<usize>,
     /// Whether a method does the job whose line it is.
     pub(crate) does_it: bool,
+}
+
+/// Draws a chart of lines in each layout: the names of files, without their ending, and what is in them.
+pub(crate) fn lines_in_each_layout(of: &Lines) -> anyhow::Result<Vec<(String, String)>> {
+    LAYOUTS.iter().map(|layout| Ok((format!("{}{}", of.name, layout.ending), lines(of, layout)?))).collect()
 }
 
 /// Draws a chart of lines.

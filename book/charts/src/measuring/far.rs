@@ -5,12 +5,12 @@ use std::path::Path;
 use common::{Bounds, IVec2, Method, Vec2};
 use triangles::{METHODS, Triangle};
 
-use super::card::{LAYOUTS, Layout, hues};
-use super::digits::{readable, three_digits};
-use super::draw::{Line, Lines, lines};
+use super::card::hues;
+use super::digits::readable;
+use super::draw::{Line, Lines, lines_in_each_layout};
 use super::finding::times;
 use super::measure::{Effort, Work};
-use super::table::{Point, number, read_points, write_points};
+use super::table::{Point, read_points, series_of, write_points};
 use super::{Comparison, Pictures, Run, caption};
 use crate::lessons::triangles::charts::{CHART, random_triangles};
 
@@ -54,12 +54,9 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
     let mut points = Vec::new();
     for distance in DISTANCES {
         let speeds = run.speeds(COMPARISON.name, distance, 0.15)?;
-        let point = |(method, speed): (&Method<Triangle>, super::speed::Speed)| Point {
-            method: method.name.into(),
-            at: distance.to_string(),
-            value: three_digits(1e9 / speed.median()),
-        };
-        points.extend(methods().zip(speeds).map(point));
+        points.extend(
+            methods().zip(speeds).map(|(method, speed)| Point::of_time(method.name, distance, &speed)),
+        );
     }
     let path = run.folder.join(COMPARISON.name).with_extension("csv");
     write_points(&points, ["method", "distance", "nanoseconds"], &path)?;
@@ -73,11 +70,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let line = |(method, hue): (&Method<Triangle>, Option<usize>)| Line {
         name: method.name.into(),
         hue,
-        points: points
-            .iter()
-            .filter(|point| point.method == method.name)
-            .map(|point| (number(&point.at), number(&point.value)))
-            .collect(),
+        points: series_of(method.name, &points),
         ringed: None,
         does_it: true,
     };
@@ -94,10 +87,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         lines: lines_of,
         caption: vec![format!("{}.", CHART.job), caption(folder, COMPARISON.name)?],
     };
-    let draw = |layout: &'static Layout| {
-        Ok((format!("{}{}", COMPARISON.name, layout.ending), lines(&chart, layout)?))
-    };
-    LAYOUTS.iter().map(draw).collect()
+    lines_in_each_layout(&chart)
 }
 
 /// Which method's time grows the most from one distance to the next, by how much, and where.

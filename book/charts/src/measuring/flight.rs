@@ -17,13 +17,13 @@ use serde_json::json;
 
 use super::card::{LAYOUTS, hues};
 use super::digits::{readable, three_digits};
-use super::draw::{Dot, Line, Lines, Speed, lines, speed};
+use super::draw::{Dot, Line, Lines, Speed, lines_in_each_layout, speed};
 use super::finding::times;
 use super::finish::{flip, rms};
 use super::frontier::{Figure, close, frontier};
 use super::measure::Work;
 use super::speed::spread;
-use super::table::{Point, Quantity, number, numbers, read_points, spaced, write_points};
+use super::table::{Point, Quantity, number, numbers, read_points, series_of, spaced, write_points};
 use super::{Comparison, Pictures, Run, caption};
 use crate::lessons::filtering::charts::drawing;
 use crate::lessons::filtering::figures::{Subject, by_sampler, flying, flying_view, of_floor};
@@ -249,11 +249,7 @@ fn lines_of(folder: &Path, name: &str) -> anyhow::Result<Vec<Line>> {
     let line = |(name, hue): (&&str, Option<usize>)| Line {
         name: (*name).into(),
         hue,
-        points: points
-            .iter()
-            .filter(|point| point.method == *name)
-            .map(|point| (number(&point.at), number(&point.value)))
-            .collect(),
+        points: series_of(name, &points),
         ringed: None,
         does_it: *name != RIGHT,
     };
@@ -283,45 +279,43 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let angles = lines_of(folder, ANGLE)?;
     let change = |name: &str| value(&changes, name, 64.0);
     let off = |name: &str| value(&angles, name, 16.0);
-    let mut pictures = Vec::new();
+    let flight = Lines {
+        name: COMPARISON.name,
+        title: format!(
+            "Where a pixel is 64 texels long, {} grey levels should change: nearest is off by {}, trilinear by {}",
+            change(RIGHT),
+            change("nearest"),
+            change("trilinear")
+        ),
+        reading:
+            "From each picture of a flight to the next: how far a change is from the expected one (RMS)."
+                .into(),
+        across: "length of a pixel's footprint, texels →".into(),
+        falling: false,
+        what: "change",
+        unit: "grey levels of 255",
+        limit: None,
+        lines: changes,
+        caption: vec![against.clone(), caption.clone()],
+    };
+    let angle = Lines {
+        name: ANGLE,
+        title: format!(
+            "Footprints 16 times as long as wide: anisotropic is off by {} grey levels, trilinear by {}",
+            off("anisotropic"),
+            off("trilinear")
+        ),
+        reading: "How far pixels are from the mean over their footprints (RMS).".into(),
+        across: "length of the footprint over its width →".into(),
+        falling: false,
+        what: "RMS difference",
+        unit: "grey levels of 255",
+        limit: None,
+        lines: angles,
+        caption: vec![against.clone(), caption.clone()],
+    };
+    let mut pictures = [lines_in_each_layout(&flight)?, lines_in_each_layout(&angle)?].concat();
     for layout in &LAYOUTS {
-        let flight = Lines {
-            name: COMPARISON.name,
-            title: format!(
-                "Where a pixel is 64 texels long, {} grey levels should change: nearest is off by {}, trilinear by {}",
-                change(RIGHT),
-                change("nearest"),
-                change("trilinear")
-            ),
-            reading:
-                "From each picture of a flight to the next: how far a change is from the expected one (RMS)."
-                    .into(),
-            across: "length of a pixel's footprint, texels →".into(),
-            falling: false,
-            what: "change",
-            unit: "grey levels of 255",
-            limit: None,
-            lines: changes.clone(),
-            caption: vec![against.clone(), caption.clone()],
-        };
-        pictures.push((format!("{}{}", COMPARISON.name, layout.ending), lines(&flight, layout)?));
-        let angle = Lines {
-            name: ANGLE,
-            title: format!(
-                "Footprints 16 times as long as wide: anisotropic is off by {} grey levels, trilinear by {}",
-                off("anisotropic"),
-                off("trilinear")
-            ),
-            reading: "How far pixels are from the mean over their footprints (RMS).".into(),
-            across: "length of the footprint over its width →".into(),
-            falling: false,
-            what: "RMS difference",
-            unit: "grey levels of 255",
-            limit: None,
-            lines: angles.clone(),
-            caption: vec![against.clone(), caption.clone()],
-        };
-        pictures.push((format!("{ANGLE}{}", layout.ending), lines(&angle, layout)?));
         pictures
             .push((format!("{FLIP}{}", layout.ending), flip_chart(folder, layout, [&against, &caption])?));
     }

@@ -9,9 +9,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 use shaders::{Framebuffer, SHADERS};
 
-use super::card::LAYOUTS;
 use super::digits::three_digits;
-use super::draw::{Line, Lines, lines};
+use super::draw::{Line, Lines, lines_in_each_layout};
 use super::measure::Work;
 use super::needs::{SHADED, coverage, drawing, front};
 use super::scene::draw;
@@ -139,13 +138,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         caption,
         ..of_outline
     };
-    let mut pictures = Vec::new();
-    for layout in &LAYOUTS {
-        for chart in [&of_outline, &of_shading] {
-            pictures.push((format!("{}{}", chart.name, layout.ending), lines(chart, layout)?));
-        }
-    }
-    Ok(pictures)
+    Ok([lines_in_each_layout(&of_outline)?, lines_in_each_layout(&of_shading)?].concat())
 }
 
 /// Whether something is drawn at a pixel; beside the picture is nothing.

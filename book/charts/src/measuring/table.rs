@@ -147,6 +147,19 @@ pub(crate) struct Point {
     pub(crate) value: String,
 }
 
+impl Point {
+    /// How many nanoseconds a unit of work takes.
+    pub(crate) fn of_time(method: &str, at: usize, speed: &Speed) -> Self {
+        Self { method: method.into(), at: at.to_string(), value: three_digits(1e9 / speed.median()) }
+    }
+}
+
+/// What points say of one method, in their order.
+pub(crate) fn series_of(method: &str, points: &[Point]) -> Series {
+    let own = points.iter().filter(|point| point.method == method);
+    own.map(|point| (number(&point.at), number(&point.value))).collect()
+}
+
 /// The rows of a chart, with the frontier as the printed figures have it.
 pub(crate) fn rows(chart: &Chart, errors: &[Errors], speeds: &[Speed]) -> Vec<Row> {
     let methods = (chart.methods)();

@@ -6,11 +6,10 @@ use common::Method;
 use filtering::LAYOUTS;
 use filtering::layout::Keep;
 
-use super::card::{LAYOUTS as CARDS, Layout, hues};
-use super::digits::three_digits;
-use super::draw::{Line, Lines, lines};
+use super::card::hues;
+use super::draw::{Line, Lines, lines_in_each_layout};
 use super::finding::times;
-use super::table::{Point, number, read_points, write_points};
+use super::table::{Point, read_points, series_of, write_points};
 use super::{Comparison, Pictures, Run, caption};
 use crate::lessons::filtering::charts::walks;
 
@@ -32,12 +31,9 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
     let mut points = Vec::new();
     for angle in ANGLES {
         let speeds = run.speeds(COMPARISON.name, angle, 0.15)?;
-        let point = |(method, speed): (&Method<Keep>, super::speed::Speed)| Point {
-            method: method.name.into(),
-            at: angle.to_string(),
-            value: three_digits(1e9 / speed.median()),
-        };
-        points.extend(LAYOUTS.iter().zip(speeds).map(point));
+        points.extend(
+            LAYOUTS.iter().zip(speeds).map(|(method, speed)| Point::of_time(method.name, angle, &speed)),
+        );
     }
     let path = run.folder.join(COMPARISON.name).with_extension("csv");
     write_points(&points, ["method", "angle", "nanoseconds"], &path)?;
@@ -50,11 +46,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let line = |(method, hue): (&Method<Keep>, Option<usize>)| Line {
         name: method.name.into(),
         hue,
-        points: points
-            .iter()
-            .filter(|point| point.method == method.name)
-            .map(|point| (number(&point.at), number(&point.value)))
-            .collect(),
+        points: series_of(method.name, &points),
         ringed: None,
         does_it: true,
     };
@@ -71,10 +63,7 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         lines: lines_of,
         caption: vec!["Lesson 13, where texels are kept.".into(), caption(folder, COMPARISON.name)?],
     };
-    let draw = |layout: &'static Layout| {
-        Ok((format!("{}{}", COMPARISON.name, layout.ending), lines(&chart, layout)?))
-    };
-    CARDS.iter().map(draw).collect()
+    lines_in_each_layout(&chart)
 }
 
 /// How much longer the worst direction takes than the best, for the layout for which that is most and the one for which it

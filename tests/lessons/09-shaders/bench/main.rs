@@ -13,7 +13,6 @@ mod listing;
 
 use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use camera::lookat;
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3};
@@ -24,6 +23,7 @@ use shaders::{Framebuffer, SHADERS, Uniforms, fit};
 use transforms::projection;
 use triangles::METHODS;
 use verify::method;
+use verify::turns::ratio_on;
 use zbuffer::{surfaces, z_f32};
 
 const SIDES: [u16; 3] = [200, 800, 1600];
@@ -149,25 +149,6 @@ fn slivers(c: &mut Criterion) {
     }
 }
 
-/// The median of the times of `a` over those of `b`, taking turns. Each gets what `make` makes, untimed.
-fn ratio<T>(make: impl Fn() -> T, mut a: impl FnMut(&mut T), mut b: impl FnMut(&mut T)) -> f64 {
-    let time = |run: &mut dyn FnMut(&mut T)| {
-        let mut made = make();
-        let start = Instant::now();
-        run(&mut made);
-        let taken = start.elapsed();
-        black_box(made);
-        taken
-    };
-    let start = Instant::now();
-    let mut ratios = Vec::new();
-    while ratios.len() < 31 || start.elapsed() < Duration::from_secs(3) {
-        ratios.push(time(&mut a).as_secs_f64() / time(&mut b).as_secs_f64());
-    }
-    ratios.sort_by(f64::total_cmp);
-    ratios[ratios.len() / 2]
-}
-
 fn ratios(_: &mut Criterion) {
     let (model, texture) = head();
     let normals = corner_normals(&model);
@@ -175,7 +156,7 @@ fn ratios(_: &mut Criterion) {
     println!("\ntimes of one run, taking turns:");
     for side in SIDES {
         let uniforms = uniforms(&model, &normals, &texture, None);
-        let flat = ratio(
+        let flat = ratio_on(
             || canvas(side),
             |image| {
                 let mut target = Framebuffer::new(std::mem::replace(image, canvas(0)));
@@ -188,7 +169,7 @@ fn ratios(_: &mut Criterion) {
     }
     for side in SIDES {
         let uniforms = uniforms(&model, &normals, &texture, Some(slides_view()));
-        let textured = ratio(
+        let textured = ratio_on(
             || (Listing::new(side), Framebuffer::new(canvas(side))),
             |(listing, _)| listing.draw(&uniforms, &slides_texture),
             |(_, target)| by_shader(&uniforms, "gouraud-texture", target),
@@ -202,7 +183,7 @@ fn ratios(_: &mut Criterion) {
                 (0..20).for_each(|_| draw(black_box(sliver(length)), image, Color::WHITE));
             }
         };
-        let longer = ratio(|| canvas(2 * length), draw("edges", 2 * length), draw("edges", length));
+        let longer = ratio_on(|| canvas(2 * length), draw("edges", 2 * length), draw("edges", length));
         println!("a sliver of {} px / one of {length} px: {longer:.2}", 2 * length);
     }
 }

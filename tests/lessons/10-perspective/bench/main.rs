@@ -9,9 +9,7 @@
 //! and now slow. The promise is that of the course: with the flat shader lesson 10's loop takes at most 1.05 times as
 //! long as lesson 9's. There is no division in it: what is not interpolated needs no weights.
 
-use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use camera::lookat;
 use common::{Attributes, Format, Image, Mat4, Model, Vec2, Vec3};
@@ -26,6 +24,7 @@ use shaders::source::{Source, Texture, White};
 use shaders::{Lit, Uniforms, fit};
 use textures::Wrap;
 use transforms::{projection, scale};
+use verify::turns::ratio_on;
 
 const SIDES: [u16; 3] = [200, 800, 1600];
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
@@ -143,23 +142,9 @@ fn textured(c: &mut Criterion) {
     }
 }
 
-/// The median of the times of `a` over those of `b`, taking turns, each on a new picture.
-fn ratio(side: u16, mut a: impl FnMut(&mut Image), mut b: impl FnMut(&mut Image)) -> f64 {
-    let time = |run: &mut dyn FnMut(&mut Image)| {
-        let mut image = canvas(side);
-        let start = Instant::now();
-        run(&mut image);
-        let taken = start.elapsed();
-        black_box(image);
-        taken
-    };
-    let start = Instant::now();
-    let mut ratios = Vec::new();
-    while ratios.len() < 31 || start.elapsed() < Duration::from_secs(2) {
-        ratios.push(time(&mut a).as_secs_f64() / time(&mut b).as_secs_f64());
-    }
-    ratios.sort_by(f64::total_cmp);
-    ratios[ratios.len() / 2]
+/// Each draws on a new picture.
+fn ratio(side: u16, a: impl FnMut(&mut Image), b: impl FnMut(&mut Image)) -> f64 {
+    ratio_on(|| canvas(side), a, b)
 }
 
 fn ratios(_: &mut Criterion) {

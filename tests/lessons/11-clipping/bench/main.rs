@@ -11,7 +11,6 @@
 
 use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use camera::lookat;
 use clipping::mesh::indexed;
@@ -27,6 +26,7 @@ use shaders::{Framebuffer, Lit, Uniforms, fit};
 use textures::Wrap;
 use transforms::projection;
 use triangles::fill;
+use verify::turns::ratio;
 
 const SIDES: [u16; 3] = [200, 800, 1600];
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
@@ -73,22 +73,6 @@ fn by_lesson_9(uniforms: &Uniforms, target: &mut Framebuffer) {
 /// Lesson 11's, with lesson 9's shader.
 fn by_lesson_11(uniforms: &Uniforms, mesh: &Mesh, cull: Cull, target: &mut perspective::Framebuffer<ZF32>) {
     black_box(render(&Lit::new(*uniforms, Texture, Gouraud), mesh, cull, Clipping::GuardBand, target));
-}
-
-/// The median of the times of `a` over those of `b`, taking turns.
-fn ratio(mut a: impl FnMut(), mut b: impl FnMut()) -> f64 {
-    let time = |run: &mut dyn FnMut()| {
-        let start = Instant::now();
-        run();
-        start.elapsed().as_secs_f64()
-    };
-    let start = Instant::now();
-    let mut ratios = Vec::new();
-    while ratios.len() < 31 || start.elapsed() < Duration::from_secs(3) {
-        ratios.push(time(&mut a) / time(&mut b));
-    }
-    ratios.sort_by(f64::total_cmp);
-    ratios[ratios.len() / 2]
 }
 
 /// The shares of a model's fragments, as many as its triangles cover pixels, that are of triangles that face away: of all

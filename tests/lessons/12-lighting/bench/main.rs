@@ -12,7 +12,6 @@
 
 use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use clipping::mesh::indexed;
 use clipping::{Clipping, Cull, Mesh, render};
@@ -27,6 +26,7 @@ use shaders::lighting::{Flat, Lighting};
 use shaders::source::{Source, Texture, White};
 use shaders::{Lit, Uniforms};
 use textures::Wrap;
+use verify::turns::ratio;
 
 const SIDES: [u16; 3] = [200, 800, 1600];
 const BOTH: Attributes = Attributes { normals: true, uvs: true };
@@ -60,22 +60,6 @@ fn unlit(uniforms: &Uniforms, mesh: &Mesh, source: impl Source, lighting: impl L
     let mut target = Framebuffer::new(image, ZF32);
     let shader = Lit::new(*uniforms, source, lighting);
     black_box(render(&shader, mesh, Cull::Back, Clipping::GuardBand, &mut target));
-}
-
-/// The median of the times of `a` over those of `b`, taking turns.
-fn ratio(mut a: impl FnMut(), mut b: impl FnMut()) -> f64 {
-    let time = |run: &mut dyn FnMut()| {
-        let start = Instant::now();
-        run();
-        start.elapsed().as_secs_f64()
-    };
-    let start = Instant::now();
-    let mut ratios = Vec::new();
-    while ratios.len() < 31 || start.elapsed() < Duration::from_secs(3) {
-        ratios.push(time(&mut a) / time(&mut b));
-    }
-    ratios.sort_by(f64::total_cmp);
-    ratios[ratios.len() / 2]
 }
 
 fn ratios(_: &mut Criterion) {

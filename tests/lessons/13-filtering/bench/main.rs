@@ -13,7 +13,6 @@
 
 use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use clipping::mesh::indexed;
 use clipping::{Clipping, Cull, Mesh, SLABS};
@@ -24,6 +23,7 @@ use filtering::{Footprint, LAYOUTS, METHODS, MIPMAPS, Surface, Texture, Wrap};
 use perspective::scene::Loaded;
 use perspective::{perspective, view};
 use verify::method;
+use verify::turns::ratio;
 
 const SIDES: [u16; 3] = [200, 800, 1600];
 
@@ -80,22 +80,6 @@ fn to_clip() -> Mat4 {
 
 fn canvas(side: u16) -> Image {
     Image::new(side, side, Format::Rgb)
-}
-
-/// The median of the times of `a` over those of `b`, taking turns.
-fn ratio(mut a: impl FnMut(), mut b: impl FnMut()) -> f64 {
-    let time = |run: &mut dyn FnMut()| {
-        let start = Instant::now();
-        run();
-        start.elapsed().as_secs_f64()
-    };
-    let start = Instant::now();
-    let mut ratios = Vec::new();
-    while ratios.len() < 31 || start.elapsed() < Duration::from_secs(3) {
-        ratios.push(time(&mut a) / time(&mut b));
-    }
-    ratios.sort_by(f64::total_cmp);
-    ratios[ratios.len() / 2]
 }
 
 fn ratios(_: &mut Criterion) {
