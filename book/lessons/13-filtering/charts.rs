@@ -5,7 +5,7 @@ use checks::ray::Screen;
 use clipping::{Cull, Drawn};
 use common::{Color, Format, Image, Mat4, Method, Vec2, Vec3};
 use fastrand::Rng;
-use filtering::layout::{Layout, Morton, Rows, Tiles};
+use filtering::layout::Keep;
 use filtering::mipmap::Mipmap;
 use filtering::{Footprint, LAYOUTS, METHODS, MIPMAPS, Sampler, Texture, Wrap};
 use glam::{DMat3, DVec2, DVec3};
@@ -362,30 +362,16 @@ fn mipmap_work(size: usize, _: Effort) -> Vec<Work> {
     MIPMAPS.iter().map(work).collect()
 }
 
-/// The number of a texel in a square texture, by the layout of that name.
-fn place(name: &str, side: u32) -> Box<dyn Fn(u32, u32) -> usize> {
-    fn of<L: Layout + 'static>(side: u32) -> Box<dyn Fn(u32, u32) -> usize> {
-        let layout = L::new(side, side);
-        Box::new(move |x, y| layout.place(x, y))
-    }
-    match name {
-        "rows" => of::<Rows>(side),
-        "tiles-4x4" => of::<Tiles>(side),
-        "morton" => of::<Morton>(side),
-        other => panic!("{other}: a layout that this chart does not know"),
-    }
-}
-
 /// How many lines of memory a walk fetches for each of its look-ups, if those of the last one are still there.
-fn lines(place: &dyn Fn(u32, u32) -> usize, side: u32, from: DVec2, angle: f64) -> f64 {
+fn lines(layout: &Method<Keep>, from: DVec2, angle: f64) -> f64 {
     const LOOKUPS: u32 = 512;
     let step = DVec2::from_angle(angle);
     let (mut last, mut fetched) = (Vec::new(), 0);
     for n in 0..LOOKUPS {
         let at = from + step * f64::from(n);
         let texel = |dx: f64, dy: f64| {
-            let inside = |x: f64| (x.floor() as i64).rem_euclid(side.into()) as u32;
-            place(inside(at.x - 0.5 + dx), inside(at.y - 0.5 + dy)) / 16
+            let inside = |x: f64| (x.floor() as i64).rem_euclid(SIDE.into()) as u32;
+            (layout.run.place)([SIDE; 2], [inside(at.x - 0.5 + dx), inside(at.y - 0.5 + dy)]) / 16
         };
         let mut lines = vec![texel(0.0, 0.0), texel(1.0, 0.0), texel(0.0, 1.0), texel(1.0, 1.0)];
         lines.sort_unstable();
@@ -396,6 +382,7 @@ fn lines(place: &dyn Fn(u32, u32) -> usize, side: u32, from: DVec2, angle: f64) 
     fetched as f64 / f64::from(LOOKUPS)
 }
 
+/// Texels across the texture in which lines are counted.
 const SIDE: u32 = 1024;
 
 fn somewhere(random: &mut Rng) -> DVec2 {
@@ -408,7 +395,7 @@ fn layout_errors(effort: Effort) -> Vec<Errors> {
     for _ in 0..effort.samples(10_000) {
         let (from, angle) = (somewhere(&mut random), std::f64::consts::TAU * random.f64());
         for (method, errors) in LAYOUTS.iter().zip(&mut errors) {
-            let fetched = lines(&place(method.name, SIDE), SIDE, from, angle);
+            let fetched = lines(method, from, angle);
             errors.add(fetched, fetched, &[]);
         }
     }
@@ -417,11 +404,10 @@ fn layout_errors(effort: Effort) -> Vec<Errors> {
 
 fn layout_stability(effort: Effort) -> Vec<Series> {
     let angles = [1.0, 2.0, 5.0, 10.0, 14.0, 20.0, 30.0, 45.0, 60.0, 75.0, 90.0];
-    let mean = |method: &'static Method<_>, angle: f64| {
+    let mean = |method: &Method<Keep>, angle: f64| {
         let mut random = effort.random();
         let walks = effort.samples(200);
-        let place = place(method.name, SIDE);
-        let all = (0..walks).map(|_| lines(&place, SIDE, somewhere(&mut random), angle.to_radians()));
+        let all = (0..walks).map(|_| lines(method, somewhere(&mut random), angle.to_radians()));
         all.sum::<f64>() / walks as f64
     };
     LAYOUTS.iter().map(|method| angles.map(|angle| (angle, mean(method, angle))).to_vec()).collect()
@@ -432,8 +418,8 @@ pub(crate) fn walks(side: usize, angle: f32) -> Vec<Work> {
     const LOOKUPS: usize = 1024;
     let image = texture().scale(side as u16, side as u16);
     let step = Vec2::from_angle(angle.to_radians()) / side as f32;
-    let work = |method: &'static Method<filtering::layout::Keep>| {
-        let walk = (method.run)(&image);
+    let work = |method: &'static Method<Keep>| {
+        let walk = (method.run.walk)(&image);
         let mut colors = vec![Color::BLACK; LOOKUPS * LOOKUPS];
         Work::new(colors.len() as f64, move || {
             walk(Vec2::splat(0.25), Footprint { x: step, y: step.perp() }, LOOKUPS, &mut colors);

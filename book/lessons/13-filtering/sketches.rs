@@ -4,11 +4,10 @@ use std::f32::consts::{PI, TAU};
 
 use anyhow::Context;
 use common::{Color, Vec2, Vec3};
-use filtering::Footprint;
 use filtering::filter::MOST_PROBES;
 use filtering::footprint::{Axes, Gradients};
-use filtering::layout::{Layout, Morton, Rows, Tiles};
 use filtering::light::SRGB;
+use filtering::{Footprint, LAYOUTS};
 use perspective::{perspective, view};
 
 use crate::figures::Drawing;
@@ -343,11 +342,10 @@ pub(super) fn probes() -> anyhow::Result<Drawing> {
 pub(super) fn layouts() -> anyhow::Result<Drawing> {
     const SIDE: u32 = 8;
     let mut sheet = Sheet::new((-0.2, -1.4), (28.2, 8.2));
-    let mut panel = |n: i32, name: &str, place: &dyn Fn(u32, u32) -> usize| {
-        let left = 10 * n;
+    for (layout, left) in LAYOUTS.iter().zip((0..).step_by(10)) {
         let mut order: Vec<(usize, u32, u32)> = (0..SIDE)
             .flat_map(|y| (0..SIDE).map(move |x| (x, y)))
-            .map(|(x, y)| (place(x, y), x, y))
+            .map(|(x, y)| ((layout.run.place)([SIDE; 2], [x, y]), x, y))
             .collect();
         order.sort_unstable();
         for &(place, x, y) in &order {
@@ -356,12 +354,8 @@ pub(super) fn layouts() -> anyhow::Result<Drawing> {
         let centre = |&(_, x, y): &(usize, u32, u32)| Vec2::new(left as f32 + x as f32 + 0.5, y as f32 + 0.5);
         sheet.polyline(order.iter().map(centre), BLACK, 1.8);
         sheet.dot(centre(&order[0]), ORANGE);
-        sheet.text((left as f32 + 4.0, -0.9), name, BLACK);
-    };
-    let (rows, tiles, morton) = (Rows::new(SIDE, SIDE), Tiles::new(SIDE, SIDE), Morton::new(SIDE, SIDE));
-    panel(0, "rows", &|x, y| rows.place(x, y));
-    panel(1, "tiles-4x4", &|x, y| tiles.place(x, y));
-    panel(2, "morton", &|x, y| morton.place(x, y));
+        sheet.text((left as f32 + 4.0, -0.9), layout.name, BLACK);
+    }
     sheet.finish()
 }
 
@@ -372,7 +366,9 @@ pub(super) fn walk() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.2, -25.8), (32.2, 20.4));
     let step = Vec2::from_angle(36.0_f32.to_radians());
     let points: Vec<Vec2> = (0..31).map(|n| at(1.5, 1.5) + step * n as f32).collect();
-    let mut panel = |bottom: i32, name: &str, line: &dyn Fn(u32, u32) -> usize| {
+    // By rows and by tiles.
+    for (layout, bottom) in LAYOUTS.iter().zip([0, -23]) {
+        let line = |x: u32, y: u32| (layout.run.place)([WIDTH, HEIGHT], [x, y]) / 16;
         let mut touched: Vec<usize> = points.iter().map(|p| line(p.x as u32, p.y as u32)).collect();
         touched.sort_unstable();
         touched.dedup();
@@ -385,12 +381,9 @@ pub(super) fn walk() -> anyhow::Result<Drawing> {
         for p in &points {
             sheet.dot(*p + at(0.0, bottom as f32), BLACK);
         }
-        let words = format!("{name}: {} lines for {} texels", touched.len(), points.len());
+        let words = format!("{}: {} lines for {} texels", layout.name, touched.len(), points.len());
         sheet.text((16.0, bottom as f32 - 1.2), &words, BLACK);
-    };
-    let (rows, tiles) = (Rows::new(WIDTH, HEIGHT), Tiles::new(WIDTH, HEIGHT));
-    panel(0, "rows", &|x, y| rows.place(x, y) / 16);
-    panel(-23, "tiles-4x4", &|x, y| tiles.place(x, y) / 16);
+    }
     sheet.finish()
 }
 

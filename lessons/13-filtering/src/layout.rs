@@ -119,26 +119,38 @@ fn spread(n: u32) -> u32 {
 /// row's beginning up, and puts the `bilinear` colour of each into its place; the texture repeats.
 pub type Walk = Box<dyn Fn(Vec2, Footprint, usize, &mut [Color])>;
 
-/// Keeps a picture in one way, and returns how to walk over it.
-pub type Keep = fn(&Image) -> Walk;
+/// One order of texels, as functions that share their code.
+#[derive(Clone, Copy)]
+pub struct Keep {
+    /// Of so many columns and rows, where the texel (x, y) is.
+    pub place: fn([u32; 2], [u32; 2]) -> usize,
+    /// Keeps a picture so, and returns how to walk over it.
+    pub walk: fn(&Image) -> Walk,
+}
+
+impl Keep {
+    const fn new<L: Layout + 'static>() -> Self {
+        Self { place: |[width, height], [x, y]| L::new(width, height).place(x, y), walk: walk::<L> }
+    }
+}
 
 /// The ways to keep texels. All give the same colours.
 pub const LAYOUTS: &[Method<Keep>] = &[
     Method {
         name: "rows",
-        run: walk::<Rows>,
+        run: Keep::new::<Rows>(),
         promise: "a product and a sum; along a row, sixteen texels to a line of memory",
         failure: "up a column, a line of memory for each texel, up to four times as many as in squares",
     },
     Method {
         name: "tiles-4x4",
-        run: walk::<Tiles>,
+        run: Keep::new::<Tiles>(),
         promise: "a line of memory holds a square of 4×4: alike in all directions; at most 3 columns and rows of padding",
         failure: "shifts and masks for each texel; beside the arithmetic of a filter, fewer lines buy no time here",
     },
     Method {
         name: "morton",
-        run: walk::<Morton>,
+        run: Keep::new::<Morton>(),
         promise: "squares of squares: near in the texture is near in memory, whatever the size of line or cache",
         failure: "some thirty operations for each texel; sides are padded to powers of 2, up to 4 times the memory",
     },

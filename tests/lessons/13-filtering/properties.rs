@@ -212,7 +212,7 @@ proptest! {
         let step = Footprint { x: Vec2::new(xu, xv), y: Vec2::new(yu, yv) };
         let walked = LAYOUTS.iter().map(|row| {
             let mut colors = vec![Color::BLACK; 20];
-            (row.run)(&image)(Vec2::new(u, v), step, 5, &mut colors);
+            (row.run.walk)(&image)(Vec2::new(u, v), step, 5, &mut colors);
             colors
         });
         let walked: Vec<Vec<Color>> = walked.collect();

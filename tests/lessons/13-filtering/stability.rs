@@ -919,7 +919,7 @@ fn every_layout_gives_the_same_colours() {
         let step = Footprint { x: Vec2::new(1.0 / size.x, 0.0), y: Vec2::new(0.0, 1.0 / size.y) };
         let width = image.width() as usize;
         let mut colors = vec![Color::BLACK; width * image.height() as usize];
-        (method.run)(&image)(Vec2::splat(0.5) / size, step, width, &mut colors);
+        (method.run.walk)(&image)(Vec2::splat(0.5) / size, step, width, &mut colors);
         let wrong = image.pixels().zip(&colors).filter(|((.., expected), got)| {
             // Rounding brings a place off a centre by a thousandth of a texel.
             let off = |a: u8, b: u8| a.abs_diff(b) > 2;

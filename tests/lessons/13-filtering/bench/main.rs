@@ -144,7 +144,7 @@ fn layouts(c: &mut Criterion) {
         let mut rng = fastrand::Rng::with_seed(13);
         image.buffer_mut().iter_mut().for_each(|byte| *byte = rng.u8(..));
         for row in LAYOUTS {
-            let walk = (row.run)(&image);
+            let walk = (row.run.walk)(&image);
             for degrees in [0.0_f32, 45.0, 90.0] {
                 let along = Vec2::from_angle(degrees.to_radians()) / f32::from(side);
                 let step = Footprint { x: along, y: along.perp() };
