@@ -81,7 +81,8 @@ impl Canvas {
             let s = (n as f64 + 0.6) / count as f64;
             let along = (place(s + 0.01) - place(s - 0.01)).normalize();
             let size = (0.0215 + 0.036 * length) * (1.0 - 0.62 * s * s) * (0.75 + 0.25 * (6.0 * s).min(1.0));
-            let tone = f64::from(Color::random((1000 * number + 2 * n) as u64 + u64::from(hand > 0.0)).r) / 255.0;
+            let tone =
+                f64::from(Color::random((1000 * number + 2 * n) as u64 + u64::from(hand > 0.0)).r) / 255.0;
             for side in [-1.0, 1.0] {
                 let blade = turned(along, side * 62.0) * size;
                 self.blade(place(s), blade, leaf_green(0.55 * t + 0.45 * s, tone));
