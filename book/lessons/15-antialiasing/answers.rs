@@ -226,7 +226,7 @@ fn of_codes_and_of_light() {
 /// Two leaves of half alpha, one behind the other.
 #[test]
 fn two_leaves() {
-    let mask = alpha_to_coverage(0.5, 16);
+    let mask = alpha_to_coverage(128, 16);
     assert_eq!(mask.count_ones(), 8);
     assert_eq!((mask & !mask).count_ones(), 0, "what the one behind has that the first one has not");
     for alpha in 0..=255_u8 {
