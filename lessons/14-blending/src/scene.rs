@@ -1,0 +1,80 @@
+//! Entities: models at their places in the world, opaque or not.
+
+use clipping::{Clipping, Counts, Cull, Drawn, render};
+use common::{Color, Image, Mat4, Vec2, Vec3};
+use filtering::filter::Trilinear;
+use filtering::scene::Filterable;
+use filtering::shader::Filtered;
+use lighting::{PointLight, Scene};
+use shaders::target::Target;
+use transforms::normal_matrix;
+
+use crate::blend::BlendStage;
+use crate::lamp::Lamp;
+use crate::state::State;
+use crate::target::Framebuffer;
+use crate::translucent::Translucent;
+
+/// Who looks at the entities, and by which light.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// From the world to clip space.
+    pub to_clip: Mat4,
+    /// The eye in the world.
+    pub eye: Vec3,
+    /// The light.
+    pub light: PointLight,
+}
+
+/// A model at its place in the world.
+#[derive(Clone, Copy)]
+pub struct Entity<'a> {
+    /// The model with its texture.
+    pub model: &'a Filterable,
+    /// From the model's space to the world, which must not flatten it.
+    pub to_world: Mat4,
+    /// Its alpha, from 0 to 1: below 1 one sees through it.
+    pub alpha: f32,
+}
+
+/// The shader of an entity: lesson 13's texture under lesson 12's lamp, with the entity's alpha.
+pub type EntityShader<'a> = Translucent<Filtered<'a, Trilinear, Lamp<'a>>>;
+
+impl<'a> Entity<'a> {
+    /// Its shader, in a picture of that size. `None` where its place flattens it.
+    #[must_use]
+    pub fn shader(&self, view: &View, size: Vec2) -> Option<EntityShader<'a>> {
+        let filtering::Surface { uniforms, texture, .. } =
+            self.model.surface(Vec3::ZERO, view.to_clip * self.to_world);
+        let normals_to_world = normal_matrix(&self.to_world)?;
+        let &View { eye, light, .. } = view;
+        let scene = Scene { uniforms, to_world: self.to_world, normals_to_world, eye, light };
+        let shader = Filtered { uniforms, texture, filter: Trilinear, lighting: Lamp::new(scene), size };
+        Some(Translucent { shader, alpha: self.alpha, vertices: () })
+    }
+
+    /// Draws it to any target.
+    pub fn draw(&self, view: &View, cull: Cull, target: &mut impl Target<Color>) -> Counts {
+        let size = (target.bounds().max + 1).as_vec2();
+        let Some(shader) = self.shader(view, size) else { return Counts::default() };
+        let mesh = self.model.surface(Vec3::ZERO, view.to_clip).mesh;
+        render(&shader, mesh, cull, Clipping::GuardBand, target)
+    }
+}
+
+/// Draws entities over a picture: first the opaque ones, then those that one sees through, as they come.
+// ANCHOR: draw
+pub fn draw<B: BlendStage>(entities: &[Entity], view: &View, blend: B, image: &mut Image) -> Drawn {
+    let mut counts = Counts::default();
+    let is_opaque = |entity: &&Entity| entity.alpha >= 1.0;
+    let mut target = Framebuffer::new(image, State::OFF);
+    for entity in entities.iter().filter(is_opaque) {
+        counts += entity.draw(view, Cull::Back, &mut target);
+    }
+    let mut target = target.under(State::blending(blend));
+    for entity in entities.iter().filter(|entity| !is_opaque(entity)) {
+        counts += entity.draw(view, Cull::Back, &mut target);
+    }
+    Drawn { depths: target.depths, counts }
+}
+// ANCHOR_END: draw
