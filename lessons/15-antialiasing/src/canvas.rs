@@ -15,9 +15,9 @@ pub trait Canvas {
     /// What a sample keeps for the stencil.
     type Stencil;
 
-    /// For a picture of that size, all black. `alpha_to_coverage`: what a fragment's alpha is, counts as the share of the
-    /// samples that it covers.
-    fn new(picture: &Image, alpha_to_coverage: bool) -> Self;
+    /// For a picture so wide and so high, all black. With `alpha_to_coverage` a fragment's alpha is the share of the samples
+    /// that it covers.
+    fn new(size: [usize; 2], alpha_to_coverage: bool) -> Self;
 
     /// Forgets all that was drawn: the picture is of one colour, and nothing is in front of it.
     fn clear(&mut self, background: Color);
@@ -39,8 +39,8 @@ pub trait Canvas {
     /// Puts into a picture what is seen, of the size that this was made for.
     fn resolve(&self, resolve: Resolve, picture: &mut Image);
 
-    /// The nearest depth in each pixel of the picture; 1 where nothing is.
-    fn depths(&self) -> DepthBuffer<f32>;
+    /// The nearest depth of a sample in each pixel of such a picture; 1 where nothing is.
+    fn depths(&self, picture: &Image) -> DepthBuffer<f32>;
 }
 // ANCHOR_END: canvas
 

@@ -96,7 +96,12 @@ impl<const N: usize> Places<N> {
         });
         let all = |pick: fn(i32, i32) -> i32, ends: [i32; N]| ends.into_iter().reduce(pick).unwrap_or(min.x);
         let (first, end) = (rows.map(|row| row.0), rows.map(|row| row.1));
-        Row { touched: all(i32::min, first)..all(i32::max, end), whole: all(i32::max, first)..all(i32::min, end), first, end }
+        Row {
+            touched: all(i32::min, first)..all(i32::max, end),
+            whole: all(i32::max, first)..all(i32::min, end),
+            first,
+            end,
+        }
     }
     // ANCHOR_END: row
 }

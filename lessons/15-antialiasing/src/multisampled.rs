@@ -1,7 +1,7 @@
 //! A picture with several samples in each pixel.
 //!
 //! **Once a pixel.** What a triangle covers, and how deep it is, is told at each sample; what colour it has, once a pixel, as
-//! long as some sample is seen. So an edge costs depths and colours, and no shading (K. Akeley, *RealityEngine graphics*,
+//! long as some sample is seen. So an edge costs depths and colours, and no shading (K. Akeley, *Reality Engine graphics*,
 //! SIGGRAPH 1993, has it so; Vulkan 1.3 calls it *multisampling*).
 //!
 //! **Where in the pixel.** At its centre, if that is covered. Else what is interpolated there lies outside of the triangle: a
@@ -15,12 +15,11 @@ use common::{Bounds, Color, DVec3, IVec2, Image, Vec2, Vec3, Vec4, Vec4Swizzles}
 use perspective::interpolation::relative;
 use perspective::perspective_weights;
 use shaders::shader::{Fragment, Varying};
-use triangles::edges::Setup;
 use zbuffer::{DepthBuffer, depth_at};
 
 use crate::alpha::alpha_to_coverage;
 use crate::canvas::Canvas;
-use crate::coverage::{Places, all};
+use crate::coverage::Places;
 use crate::pattern::pattern;
 use crate::resolve::Resolve;
 use crate::storage::Storage;
@@ -82,6 +81,12 @@ pub struct Multisampled<const N: usize, C, H = PerPixel, K = ()> {
 
 impl<const N: usize, C, H, K> Multisampled<N, C, H, K> {
     const PLACES: Places<N> = Places::new(pattern(N));
+
+    /// How many pixels a row has.
+    #[inline]
+    pub(crate) fn width(&self) -> usize {
+        self.bounds.max.x as usize + 1
+    }
 }
 
 /// How deep a triangle is at the samples of its pixels.
@@ -98,7 +103,12 @@ impl<const N: usize> Plane<N> {
     fn new(corners: Vec3, per_area: f64, offsets: &[DVec3; N]) -> Self {
         let farthest = corners.min_element();
         let per_edge = (corners - farthest).as_dvec3() * per_area;
-        Self { corners, farthest: farthest.into(), per_edge, offsets: offsets.map(|offset| offset.dot(per_edge)) }
+        Self {
+            corners,
+            farthest: farthest.into(),
+            per_edge,
+            offsets: offsets.map(|offset| offset.dot(per_edge)),
+        }
     }
 
     // ANCHOR: depths
@@ -129,13 +139,13 @@ fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32)
 impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Multisampled<N, C, H, K> {
     type Stencil = K;
 
-    fn new(picture: &Image, alpha_to_coverage: bool) -> Self {
-        let pixels = picture.width() as usize * picture.height() as usize;
+    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
+        let pixels = width * height;
         Self {
             colors: C::new(pixels),
             depths: vec![[1.0; N]; pixels],
             stencils: vec![[K::default(); N]; pixels],
-            bounds: picture.bounds(),
+            bounds: Bounds { min: IVec2::ZERO, max: IVec2::new(width as i32, height as i32) - 1 },
             alpha_to_coverage,
             shading: PhantomData,
         }
@@ -165,11 +175,12 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
         let Some(setup) = Self::PLACES.setup(corners.map(Vec4::xy), self.bounds) else { return };
         let offsets = Self::PLACES.offsets(&setup);
         let plane = Plane::new(z, setup.per_area, &offsets);
-        let width = self.bounds.max.x as usize + 1;
+        let width = self.width();
         for y in setup.bounds.min.y..=setup.bounds.max.y {
             let centers = setup.row(y);
             let row = Self::PLACES.row(&setup, y, &centers.pixels);
-            let mut edges = centers.edges + setup.right * (i64::from(row.touched.start) - centers.pixels.start) as f64;
+            let mut edges =
+                centers.edges + setup.right * (i64::from(row.touched.start) - centers.pixels.start) as f64;
             let first = y as usize * width;
             for x in row.touched.clone() {
                 let (covered, at, pixel) = (row.mask(x), edges, first + x as usize);
@@ -185,7 +196,8 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                 }
                 // 2. Shading, once for all of them or for each.
                 while seen != 0 {
-                    let together = if N > 1 && H::AT == At::Sample { seen & seen.wrapping_neg() } else { seen };
+                    let together =
+                        if N > 1 && H::AT == At::Sample { seen & seen.wrapping_neg() } else { seen };
                     seen ^= together;
                     let at = match H::AT {
                         _ if N == 1 => at,
@@ -217,8 +229,7 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
     // ANCHOR_END: fill
 
     fn resolve(&self, resolve: Resolve, picture: &mut Image) {
-        let pixels = (0..=self.bounds.max.y).flat_map(|y| (0..=self.bounds.max.x).map(move |x| (x, y)));
-        for (pixel, (x, y)) in pixels.enumerate() {
+        for (pixel, (x, y)) in pixels(self.bounds).enumerate() {
             let color = match self.colors.colors(pixel) {
                 [color] => *color,
                 samples => resolve(samples),
@@ -227,13 +238,16 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
         }
     }
 
-    fn depths(&self) -> DepthBuffer<f32> {
-        let size = self.bounds.max + 1;
-        let mut nearest = DepthBuffer::new(&Image::new(size.x as u16, size.y as u16, common::Format::Gray), 1.0);
-        let pixels = (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y)));
-        for ((x, y), depths) in pixels.zip(&self.depths) {
-            nearest.set(x, y, depths.iter().fold(1.0, |nearest: f32, &depth| nearest.min(depth)));
+    fn depths(&self, picture: &Image) -> DepthBuffer<f32> {
+        let mut nearest = DepthBuffer::new(picture, 1.0);
+        for ((x, y), depths) in pixels(self.bounds).zip(&self.depths) {
+            nearest.set(x, y, depths.iter().copied().fold(1.0, f32::min));
         }
         nearest
     }
+}
+
+/// The pixels of a picture, rows from the bottom.
+pub(crate) fn pixels(Bounds { min, max }: Bounds) -> impl Iterator<Item = (i32, i32)> {
+    (min.y..=max.y).flat_map(move |y| (min.x..=max.x).map(move |x| (x, y)))
 }

@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use common::{Color, Method};
+use common::Color;
 
 use crate::coverage::all;
 
