@@ -1,7 +1,8 @@
 //! The numbers of the chapter's worked examples and of their quizzes, computed by the lesson's own code.
 
-use antialiasing::{alpha_to_coverage, area, coverage, pattern, resolve};
-use common::{Color, IVec2, Vec2};
+use antialiasing::area::{area, clipped};
+use antialiasing::{alpha_to_coverage, coverage, pattern, resolve};
+use common::{Color, IVec2, Vec2, Vec4Swizzles};
 use filtering::light::SRGB;
 
 use super::sketches::{CUT, grid, told_apart};
@@ -17,7 +18,7 @@ fn gray(code: u8) -> Color {
 }
 
 fn share(corners: [Vec2; 3]) -> f64 {
-    f64::from(area::area(corners, IVec2::ZERO))
+    area(corners, IVec2::ZERO)
 }
 
 #[test]
@@ -25,7 +26,8 @@ fn seven_sixteenths() {
     close(share(CUT), 7.0 / 16.0, 1e-6);
     assert_eq!((LEVELS * share(CUT)).round(), 112.0);
     // By the table: sixteenths, crosswise.
-    let corners = area::clipped(CUT, IVec2::ZERO);
+    let corners: Vec<Vec2> =
+        clipped(CUT, IVec2::ZERO).corners().iter().map(|corner| corner.position.xy()).collect();
     let mut crosses: Vec<f32> =
         (0..corners.len()).map(|i| 16.0 * corners[i].perp_dot(corners[(i + 1) % corners.len()])).collect();
     crosses.sort_by(f32::total_cmp);
@@ -151,7 +153,7 @@ fn touched(side: f32) -> (f64, f64) {
         let corners = [from, from + Vec2::X * side, from + Vec2::Y * side];
         let last = side as i32 + 2;
         for (x, y) in (0..last).flat_map(|y| (0..last).map(move |x| (x, y))) {
-            let share = f64::from(area::area(corners, IVec2::new(x, y)));
+            let share = antialiasing::area::area(corners, IVec2::new(x, y));
             touched += f64::from(u8::from(share > 0.0));
             area += share;
         }
@@ -230,8 +232,8 @@ fn two_leaves() {
     assert_eq!(mask.count_ones(), 8);
     assert_eq!((mask & !mask).count_ones(), 0, "what the one behind has that the first one has not");
     for alpha in 0..=255_u8 {
-        let alpha = f64::from(alpha) / LEVELS;
-        close(f64::from(alpha_to_coverage(alpha as f32, 16).count_ones()) / 16.0, alpha, 1.0 / 32.0 + 1e-6);
+        let share = f64::from(alpha_to_coverage(alpha, 16).count_ones()) / 16.0;
+        close(share, f64::from(alpha) / LEVELS, 1.0 / 32.0 + 1e-6);
     }
 }
 

@@ -1,7 +1,8 @@
 //! Chapter 15's line drawings.
 
-use antialiasing::{area, coverage, pattern};
-use common::{IVec2, Vec2};
+use antialiasing::area::clipped;
+use antialiasing::{coverage, pattern};
+use common::{IVec2, Vec2, Vec4Swizzles};
 
 use crate::figures::Drawing;
 use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, ORANGE, PALE, PURPLE, SKY, Sheet};
@@ -40,7 +41,8 @@ pub(super) const CUT: [Vec2; 3] = [Vec2::new(0.25, 0.25), Vec2::new(1.25, 0.25),
 pub(super) fn shoelace() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-0.75, -0.22), (1.75, 1.4));
     sheet.rectangle((0.0, 0.0), (1.0, 1.0), PALE, GREY);
-    let left = area::clipped(CUT, IVec2::ZERO);
+    let left: Vec<Vec2> =
+        clipped(CUT, IVec2::ZERO).corners().iter().map(|corner| corner.position.xy()).collect();
     sheet.polygon(&left, SKY, "none");
     sheet.polygon(&CUT, "none", BLUE);
     sheet.polygon(&left, "none", BLACK);
