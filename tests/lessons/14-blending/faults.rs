@@ -46,10 +46,14 @@ macro_rules! alpha {
         Blending {
             over: |source, destination| {
                 let a = u32::from(source.a);
-                by([source, destination], |s, d| nearest(s * a + d * (255 - a)), |$s, $d| {
-                    let _ = ($s, $d);
-                    $result
-                })
+                by(
+                    [source, destination],
+                    |s, d| nearest(s * a + d * (255 - a)),
+                    |$s, $d| {
+                        let _ = ($s, $d);
+                        $result
+                    },
+                )
             },
             ..RIGHT
         }
@@ -113,8 +117,7 @@ impl Tests {
         let (left, right) = (stencil.reference & self.read[0], kept.stencil & self.read[1]);
         let [left, right] = if self.stencil_turned { [right, left] } else { [left, right] };
         let marked = stencil.function.holds(left, right);
-        let [front, back] =
-            if self.depth_turned { [kept.depth, fragment] } else { [fragment, kept.depth] };
+        let [front, back] = if self.depth_turned { [kept.depth, fragment] } else { [fragment, kept.depth] };
         let nearer = depth.function.holds(front, back);
         let [stored, reference] = (self.operands)(stencil, kept);
         let new = (self.operation)(stencil, marked, nearer).apply(stored, reference);

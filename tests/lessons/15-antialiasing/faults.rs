@@ -137,12 +137,9 @@ pub(crate) const FAULTS: &[Fault<Antialiasing>] = &[
         ],
     },
     Fault {
-        cause: "each sample has the pixel's centre or corner for its place: all of them are in or none",
+        cause: "each sample has the pixel's centre for its place: all of them are in or none",
         hint: Some(1),
-        versions: &[
-            places!(|pixel, _sample| place(pixel, [8, 8])),
-            places!(|pixel, _sample| place(pixel, [0, 0])),
-        ],
+        versions: &[places!(|pixel, _sample| place(pixel, [8, 8]))],
     },
     Fault {
         cause: "samples on a side: on a top or left one they are inside, on another one not",
@@ -211,7 +208,8 @@ pub(crate) const FAULTS: &[Fault<Antialiasing>] = &[
         versions: &[
             Antialiasing {
                 resolve: |samples| {
-                    let fold = |codes: &[u8]| codes[1..].iter().fold(codes[0], |mean, &code| mean.midpoint(code));
+                    let fold =
+                        |codes: &[u8]| codes[1..].iter().fold(codes[0], |mean, &code| mean.midpoint(code));
                     channels(samples, fold)
                 },
                 ..RIGHT
@@ -219,7 +217,9 @@ pub(crate) const FAULTS: &[Fault<Antialiasing>] = &[
             Antialiasing {
                 resolve: |samples| {
                     let count = samples.len() as u8;
-                    channels(samples, |codes| codes.iter().fold(0, |sum: u8, code| sum.wrapping_add(code / count)))
+                    channels(samples, |codes| {
+                        codes.iter().fold(0, |sum: u8, code| sum.wrapping_add(code / count))
+                    })
                 },
                 ..RIGHT
             },
@@ -248,7 +248,10 @@ pub(crate) const FAULTS: &[Fault<Antialiasing>] = &[
         hint: Some(4),
         versions: &[
             Antialiasing { resolve: |samples| Color { a: 255, ..(RIGHT.resolve)(samples) }, ..RIGHT },
-            Antialiasing { resolve: |samples| Color { a: samples[0].a, ..(RIGHT.resolve)(samples) }, ..RIGHT },
+            Antialiasing {
+                resolve: |samples| Color { a: samples[0].a, ..(RIGHT.resolve)(samples) },
+                ..RIGHT
+            },
         ],
     },
     Fault {

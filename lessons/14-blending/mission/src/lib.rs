@@ -24,7 +24,9 @@ pub use blending_given::{Compare, DepthTest, Kept, Layer, StencilOp, StencilTest
 #[must_use]
 pub fn over(source: Color, destination: Color) -> Color {
     let _ = (source, destination);
-    todo!("a weighted sum of two channels, divided by 255 and rounded; alpha with other weights than the colours")
+    todo!(
+        "a weighted sum of two channels, divided by 255 and rounded; alpha with other weights than the colours"
+    )
 }
 
 /// The stencil test and then the depth test of one fragment: whether it passes both, and what is kept at its pixel afterwards.

@@ -5,7 +5,6 @@ use std::process::ExitCode;
 use antialiasing_tasks::{Antialiasing, MISSION};
 
 fn main() -> ExitCode {
-    let student =
-        Antialiasing { coverage: my_antialiasing::coverage, resolve: my_antialiasing::resolve };
+    let student = Antialiasing { coverage: my_antialiasing::coverage, resolve: my_antialiasing::resolve };
     MISSION.run(&student, cfg!(test))
 }

@@ -175,7 +175,8 @@ pub fn draw(layers: &[Layer], over: Over, test: Test, image: &mut Image) {
                 continue;
             }
             let kept = &mut kept[(y * width + x) as usize];
-            let (passes, after) = test(&layer.stencil, &layer.test, layer.depth + layer.slope.dot(way), *kept);
+            let (passes, after) =
+                test(&layer.stencil, &layer.test, layer.depth + layer.slope.dot(way), *kept);
             *kept = after;
             if passes {
                 image.set(x, y, over(layer.color, below));

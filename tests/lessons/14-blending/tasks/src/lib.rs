@@ -28,7 +28,9 @@ pub const MISSION: Mission<Blending> = Mission {
             name: "products",
             asks: "each of the 65,536 products of a channel and an alpha, rounded to the nearest",
             points: 2,
-            tasks: |rng| (0..2).map(|_| products(any_color(rng), Color { a: 255, ..any_color(rng) })).collect(),
+            tasks: |rng| {
+                (0..2).map(|_| products(any_color(rng), Color { a: 255, ..any_color(rng) })).collect()
+            },
             precision: Precision::EXACT,
         },
         Check {
@@ -142,7 +144,9 @@ fn depth(rng: &mut Rng) -> f32 {
 
 /// Some of the bits are set, and some are not.
 fn mask(rng: &mut Rng) -> u8 {
-    (0..).find_map(|_| Some(rng.u8(..)).filter(|mask| (3..=5).contains(&mask.count_ones()))).unwrap_or(0b0011_1001)
+    (0..)
+        .find_map(|_| Some(rng.u8(..)).filter(|mask| (3..=5).contains(&mask.count_ones())))
+        .unwrap_or(0b0011_1001)
 }
 
 /// Two numbers whose masked bits are in this order, and whose others are not.
@@ -232,8 +236,9 @@ fn ending(rng: &mut Rng, outcome: Outcome, operation: StencilOp, stencil: u8) ->
         Outcome::Pass => test.pass = operation,
     }
     let here = depth(rng);
-    // Where the stencil test fails the depth test would pass.
-    let fragment = here + if outcome == Outcome::DepthFail { 0.125 } else { -0.125 };
+    // Where the stencil test fails, it does not matter what the depth test would say.
+    let deeper = outcome == Outcome::DepthFail || outcome == Outcome::Fail && matches!(stencil, 0 | 255);
+    let fragment = here + if deeper { 0.125 } else { -0.125 };
     let depth = DepthTest { function: Compare::Less, write: true };
     tested(test, depth, fragment, Kept { stencil, depth: here })
 }
@@ -256,7 +261,8 @@ fn products(source: Color, destination: Color) -> Task<Blending> {
     );
     Task::new(input, code, move |student: &Blending| {
         each_pair(|x, y| {
-            let Color { r, g, b, .. } = (student.over)(Color { r: y, g: 255 - y, b: source.b, a: x }, destination);
+            let Color { r, g, b, .. } =
+                (student.over)(Color { r: y, g: 255 - y, b: source.b, a: x }, destination);
             Color::rgb(r, g, b)
         })
     })
@@ -271,7 +277,8 @@ fn alphas(source: Color, destination: Color) -> Task<Blending> {
              let a = over(Color {{ {over}, a: x as u8 }}, Color {{ {below}, a: y as u8 }}).a;\n    \
              got.set(x, y, Color::rgb(a, a, a));\n}}"
     );
-    let input = format!("over(Color {{ {over}, a: x }}, Color {{ {below}, a: y }}).a at each (x, y), 256x256");
+    let input =
+        format!("over(Color {{ {over}, a: x }}, Color {{ {below}, a: y }}).a at each (x, y), 256x256");
     Task::new(input, code, move |student: &Blending| {
         each_pair(|x, y| {
             let a = (student.over)(Color { a: x, ..source }, Color { a: y, ..destination }).a;

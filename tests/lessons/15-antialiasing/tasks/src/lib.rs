@@ -29,8 +29,10 @@ pub const MISSION: Mission<Antialiasing> = Mission {
             tasks: |rng| {
                 let mut tasks = Vec::new();
                 for samples in COUNTS {
-                    let place = Vec2::new(f32::from(rng.i16(-200..200)), f32::from(rng.i16(-200..200)));
-                    tasks.extend((0..3).map(|_| one_pixel(across(rng, place), place.as_ivec2(), samples)));
+                    for reach in [2, 6, 200] {
+                        let pixel = IVec2::new(rng.i32(-reach..=reach), rng.i32(1..=reach));
+                        tasks.push(one_pixel(across(rng, pixel.as_vec2()), pixel, samples));
+                    }
                 }
                 let far = IVec2::new(rng.i32(3000..9000), rng.i32(-9000..-3000));
                 tasks.push(one_pixel(across(rng, far.as_vec2()), far, 16));
@@ -38,7 +40,11 @@ pub const MISSION: Mission<Antialiasing> = Mission {
                 let [a, b, c] = across(rng, Vec2::ZERO);
                 tasks.push(one_pixel([a, b, c], IVec2::new(90, -80), 8));
                 tasks.push(one_pixel([a, b, b], IVec2::ZERO, 16));
-                tasks.push(one_pixel([a, (a + c) / 2.0, c].map(|p| (p * 64.0).round() / 64.0), IVec2::ZERO, 4));
+                tasks.push(one_pixel(
+                    [a, (a + c) / 2.0, c].map(|p| (p * 64.0).round() / 64.0),
+                    IVec2::ZERO,
+                    4,
+                ));
                 tasks
             },
             precision: Precision::EXACT,
@@ -159,7 +165,8 @@ fn masks(corners: [Vec2; 3], samples: usize) -> Task<Antialiasing> {
              got.set(x, y, Color::rgb(low, high, above));\n}}",
         corners.code()
     );
-    let input = format!("coverage({}, …, pattern({samples})) in each pixel, {width}x{height}", corners.code());
+    let input =
+        format!("coverage({}, …, pattern({samples})) in each pixel, {width}x{height}", corners.code());
     let shape: Shape = corners.map(|corner| corner.extend(0.0)).into();
     Task::new(input, code, move |student: &Antialiasing| {
         let mut image = canvas(width, height);
@@ -194,12 +201,17 @@ pub fn counts(triangles: &[[Vec2; 3]], samples: usize, coverage: Coverage) -> Im
 fn fan(rng: &mut Rng, samples: usize) -> Task<Antialiasing> {
     let places = pattern(samples);
     let [x, y] = places[rng.usize(..samples)];
-    let middle = Vec2::new(rng.i32(20..28) as f32, rng.i32(17..23) as f32) + Vec2::new(x as f32, y as f32) / 16.0;
+    let middle =
+        Vec2::new(rng.i32(20..28) as f32, rng.i32(17..23) as f32) + Vec2::new(x as f32, y as f32) / 16.0;
     let ring: Vec<Vec2> = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
         .map(|(x, y)| {
             // Longer ways that are the multiple of a short one lead through samples.
             let [far, near] = [rng.i32(4..9), rng.i32(2..4)];
-            let way = if x == 0 || y == 0 { IVec2::new(x * 2 * far, y * 2 * far) } else { IVec2::new(x * 2 * near, y * far) };
+            let way = if x == 0 || y == 0 {
+                IVec2::new(x * 2 * far, y * 2 * far)
+            } else {
+                IVec2::new(x * 2 * near, y * far)
+            };
             middle + way.as_vec2()
         })
         .into();
