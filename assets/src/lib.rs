@@ -8,16 +8,20 @@
 //! | [`torus_knot`] | `torus-knot.obj`, a knotted tube |
 //! | [`head`] | `head.obj` and `head.tga`, the face of the course; `head-low.obj`, the same in few triangles; its maps |
 //! | [`wood`] | `crate.png`, a painted wooden box |
+//! | [`fern`] | `fern.png`, a frond, cut out by its alpha |
+//! | [`square`] | `square.obj`, two triangles to carry a picture |
 //! | [`floor`] | `floor.obj`, a plane to the horizon, `slabs.obj`, the same in fewer pieces, and `checks.png` for both |
 //!
 //! The same bytes come out on every platform: sines come from `libm`, square roots and the four operations
 //! are exact by IEEE 754, randomness is seeded. A test makes everything again and compares.
 
 pub mod cube;
+pub mod fern;
 pub mod floor;
 pub mod head;
 pub mod mesh;
 pub mod sphere;
+pub mod square;
 pub mod torus_knot;
 pub mod wood;
 
@@ -48,6 +52,8 @@ pub const ASSETS: &[Asset] = &[
     Asset { name: "slabs.obj", make: || floor::slabs().to_obj().into_bytes() },
     Asset { name: "checks.png", make: || png(&floor::checks()) },
     Asset { name: "crate.png", make: || png(&wood::crate_side(256)) },
+    Asset { name: "square.obj", make: || square::square().to_obj().into_bytes() },
+    Asset { name: "fern.png", make: || png(&fern::frond(256)) },
 ];
 
 fn png(image: &Image) -> Vec<u8> {

@@ -141,7 +141,7 @@ impl Target<usize> for Numbers {
         Bounds { min: IVec2::ZERO, max: IVec2::splat(self.side - 1) }
     }
 
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
         depth < self.nearest[(y * self.side + x) as usize].0
     }
 

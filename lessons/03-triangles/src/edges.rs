@@ -33,8 +33,8 @@ pub const SUBPIXELS: i64 = 256;
 /// Up to where `f64` is exact, in pixels on either side of the origin.
 const NARROW: f32 = (1 << 16) as f32;
 
-/// Up to where `i128` is.
-const WIDE: f32 = (1_u64 << 52) as f32;
+/// Up to where `i128` is: triangles with a corner farther out are left out.
+pub const WIDE: f32 = (1_u64 << 52) as f32;
 
 /// A point in 1/256 px.
 type Fixed = [i64; 2];
@@ -209,9 +209,12 @@ impl Setup {
     }
 }
 
-/// The nearest point of the grid of 1/256 px. Multiplying by a power of 2 rounds nothing.
+/// The nearest point of the grid of 1/256 px, in these; a tie goes to the even one, what is beyond ±2⁵⁵ px there. Multiplying by a
+/// power of 2 rounds nothing.
 // ANCHOR: snap
-fn snap(corner: Vec2) -> Fixed {
+#[inline]
+#[must_use]
+pub fn snap(corner: Vec2) -> [i64; 2] {
     corner.to_array().map(|coordinate| (coordinate * SUBPIXELS as f32).round_ties_even() as i64)
 }
 // ANCHOR_END: snap

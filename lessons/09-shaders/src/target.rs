@@ -9,8 +9,8 @@ pub trait Target<Output> {
     /// The rectangle of its pixels, from (0, 0) on.
     fn bounds(&self) -> Bounds;
 
-    /// Whether a fragment of that depth would be seen at a pixel.
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool;
+    /// Whether a fragment of that depth would be seen at a pixel. A target may keep account of those that would not.
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool;
 
     /// Takes what is now seen at a pixel, and its depth.
     fn write(&mut self, x: i32, y: i32, depth: f32, output: Output);
@@ -45,7 +45,7 @@ impl Target<Color> for Framebuffer {
     }
 
     #[inline]
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
         self.depths.is_nearer(x, y, depth)
     }
 

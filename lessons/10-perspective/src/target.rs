@@ -34,7 +34,7 @@ impl<D: Depth> Target<Color> for Framebuffer<'_, D> {
     }
 
     #[inline]
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
         self.depth.is_nearer(self.depth.stored(depth), self.depths.get(x, y))
     }
 

@@ -85,6 +85,36 @@ pub fn render<S: Shader + ?Sized>(
 ) -> Counts {
     let bounds = target.bounds();
     let size = (bounds.max + 1).as_vec2();
+    if clipping == Clipping::Homogeneous {
+        return seen(shader, mesh, cull, (u8::MAX, &[]), size, |counts, constant, corners| {
+            let corners = corners.map(|corner| corner.clip);
+            homogeneous::fill(corners, bounds, Fragments::new(shader, constant, target));
+            counts.filled += 1;
+        });
+    }
+    triangles(shader, mesh, cull, clipping, size, |constant, corners, varyings| {
+        draw_triangle(shader, constant, corners, varyings, PerPixel(Exact), target);
+    })
+}
+// ANCHOR_END: render
+
+/// Calls `fill(constant, corners, varyings)` for each triangle that is to be filled in a picture of that size, whoever
+/// fills it: with what the shader's own step for the triangle gave, with corners in the window, x and y in pixels, the
+/// depth and 1/w, and with what is interpolated from them. A triangle that is cut comes as the triangles it is taken
+/// apart into. [`Clipping::Homogeneous`] has no corners in the window: what it needs not cut is left out here.
+///
+/// # Panics
+/// As [`render`].
+// ANCHOR: triangles
+#[inline]
+pub fn triangles<S: Shader + ?Sized>(
+    shader: &S,
+    mesh: &Mesh,
+    cull: Cull,
+    clipping: Clipping,
+    size: Vec2,
+    mut fill: impl FnMut(S::Constant, [Vec4; 3], [S::Varying; 3]),
+) -> Counts {
     let band = guard_band(size);
     let (rejects, cuts): (u8, &[Vec4]) = match clipping {
         Clipping::LeaveOut => (0, &[]),
@@ -93,6 +123,40 @@ pub fn render<S: Shader + ?Sized>(
         Clipping::GuardBand => (u8::MAX, &band),
         Clipping::Homogeneous => (u8::MAX, &[]),
     };
+    seen(shader, mesh, cull, (rejects, cuts), size, |counts, constant, corners| {
+        // 3. The cut, where one is needed.
+        let needed = corners.iter().fold(0, |needed, corner| needed | corner.beyond);
+        if needed != 0 {
+            counts.cut += 1;
+            let polygon = clip_by(corners.map(|corner| corner.clip), cuts, needed);
+            let filled = fill_polygon(&polygon, size, |corners, varyings| fill(constant, corners, varyings));
+            counts.filled += filled.unwrap_or(0);
+            counts.left_out += usize::from(filled.is_none());
+            return;
+        }
+        // 4. The pixels.
+        let [Some(a), Some(b), Some(c)] = corners.map(|corner| corner.window) else {
+            counts.left_out += 1;
+            return;
+        };
+        fill(constant, [a, b, c], corners.map(|corner| corner.clip.varying));
+        counts.filled += 1;
+    })
+}
+// ANCHOR_END: triangles
+
+/// Calls `visit(counts, constant, corners)` for each triangle that may be seen, wherever its corners are. What is wholly
+/// outside of a plane whose bit is in `rejects` is left out; `cuts` are the planes that are to cut.
+// ANCHOR: seen
+#[inline]
+fn seen<S: Shader + ?Sized>(
+    shader: &S,
+    mesh: &Mesh,
+    cull: Cull,
+    (rejects, cuts): (u8, &[Vec4]),
+    size: Vec2,
+    mut visit: impl FnMut(&mut Counts, S::Constant, [&Computed<S::Varying>; 3]),
+) -> Counts {
     // 1. The vertices, each once.
     let computed = mesh.vertices.iter().map(|vertex| {
         let position = shader.position(vertex.position as usize);
@@ -105,50 +169,18 @@ pub fn render<S: Shader + ?Sized>(
     let mut counts = Counts { vertices: vertices.len(), ..Counts::default() };
     for (face, triangle) in mesh.triangles() {
         // 2. What is wholly outside of a plane, or shows the wrong side.
-        let [a, b, c] = triangle.map(|vertex| &vertices[vertex as usize]);
-        if a.outside & b.outside & c.outside != 0 {
+        let corners = triangle.map(|vertex| &vertices[vertex as usize]);
+        if corners.iter().fold(u8::MAX, |all, corner| all & corner.outside) != 0 {
             counts.outside += 1;
-            continue;
-        }
-        if cull.leaves_out(facing([a, b, c].map(|vertex| vertex.clip.position))) {
+        } else if cull.leaves_out(facing(corners.map(|corner| corner.clip.position))) {
             counts.culled += 1;
-            continue;
+        } else if let Some(constant) = shader.triangle(face) {
+            visit(&mut counts, constant, corners);
         }
-        let Some(constant) = shader.triangle(face) else { continue };
-        let corners = [a.clip, b.clip, c.clip];
-        if clipping == Clipping::Homogeneous {
-            homogeneous::fill(corners, bounds, Fragments::new(shader, constant, target));
-            counts.filled += 1;
-            continue;
-        }
-        // 3. The cut, where one is needed.
-        let needed = a.beyond | b.beyond | c.beyond;
-        if needed != 0 {
-            counts.cut += 1;
-            let polygon = clip_by(corners, cuts, needed);
-            let filled = fill_polygon(shader, constant, &polygon, size, target);
-            counts.filled += filled.unwrap_or(0);
-            counts.left_out += usize::from(filled.is_none());
-            continue;
-        }
-        // 4. The pixels.
-        let [Some(u), Some(v), Some(w)] = [a.window, b.window, c.window] else {
-            counts.left_out += 1;
-            continue;
-        };
-        draw_triangle(
-            shader,
-            constant,
-            [u, v, w],
-            corners.map(|corner| corner.varying),
-            PerPixel(Exact),
-            target,
-        );
-        counts.filled += 1;
     }
     counts
 }
-// ANCHOR_END: render
+// ANCHOR_END: seen
 
 /// What of a triangle is inside of those planes whose bits are set.
 // ANCHOR: clip_by
@@ -165,16 +197,15 @@ fn clip_by<V: Varying>(corners: [ClipVertex<V>; 3], planes: &[Vec4], needed: u8)
 }
 // ANCHOR_END: clip_by
 
-/// Fills a polygon as a fan of triangles, and returns of how many; `None` where a corner has no place in the window.
+/// Calls `fill(corners, varyings)` for the triangles of a fan that covers a polygon, and returns for how many; `None` where a
+/// corner has no place in the window.
 // ANCHOR: fill_polygon
 #[cold]
 #[inline(never)]
-fn fill_polygon<S: Shader + ?Sized>(
-    shader: &S,
-    constant: S::Constant,
-    polygon: &Polygon<S::Varying>,
+fn fill_polygon<V: Varying>(
+    polygon: &Polygon<V>,
     size: Vec2,
-    target: &mut impl Target<S::Output>,
+    mut fill: impl FnMut([Vec4; 3], [V; 3]),
 ) -> Option<usize> {
     let corners = polygon.corners();
     let mut windows = [Vec4::ZERO; MOST_CORNERS];
@@ -183,15 +214,7 @@ fn fill_polygon<S: Shader + ?Sized>(
     }
     let mut filled = 0;
     fan(&windows[..corners.len()], |triangle| {
-        let varyings = triangle.map(|corner| corners[corner].varying);
-        draw_triangle(
-            shader,
-            constant,
-            triangle.map(|corner| windows[corner]),
-            varyings,
-            PerPixel(Exact),
-            target,
-        );
+        fill(triangle.map(|corner| windows[corner]), triangle.map(|corner| corners[corner].varying));
         filled += 1;
     });
     Some(filled)

@@ -35,13 +35,15 @@ impl Filterable {
     ) -> anyhow::Result<Vec<Self>> {
         let mut models = Loaded::read_model(flags, Default::default(), origin, SLABS)?;
         models.iter_mut().skip(1).for_each(|floor| floor.texture = fine(&floor.texture));
-        let needs = Attributes { normals: true, uvs: true };
-        let with_texture = |loaded: Loaded| {
-            let mesh = indexed(&loaded.model, &loaded.normals, needs);
-            let texture = mipmap.texture(&loaded.texture, wrap);
-            Self { loaded, mesh, texture }
-        };
-        Ok(models.into_iter().map(with_texture).collect())
+        Ok(models.into_iter().map(|loaded| Self::new(loaded, mipmap, wrap)).collect())
+    }
+
+    /// A model with its texture to be filtered.
+    #[must_use]
+    pub fn new(loaded: Loaded, mipmap: Mipmap, wrap: Wrap) -> Self {
+        let mesh = indexed(&loaded.model, &loaded.normals, Attributes { normals: true, uvs: true });
+        let texture = mipmap.texture(&loaded.texture, wrap);
+        Self { loaded, mesh, texture }
     }
 
     /// What a shader reads of it, under a light and before a camera.

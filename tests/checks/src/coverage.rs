@@ -1,18 +1,18 @@
 //! The pixels that a triangle covers, decided in `i128`.
 //!
-//! Corners are first rounded to 1/256 px, as lesson 3 specifies. A pixel's centre is inside when a ray from
-//! it to the right crosses the sides an odd number of times. The ray starts an infinitely small distance to
-//! the right of the centre and a yet smaller one below it: this is what the top-left rule means, and no
-//! side can pass through such a point.
+//! Corners are first rounded to 1/256 px, as lesson 3 specifies. A pixel's centre, or any other point of that
+//! grid, is inside when a ray from it to the right crosses the sides an odd number of times. The ray starts an
+//! infinitely small distance to the right of the point and a yet smaller one below it: this is what the top-left
+//! rule means, and no side can pass through such a start.
 
 use common::{Bounds, Vec2};
 
-/// A corner in 1/256 px.
-type Corner = [i128; 2];
+/// A point in 1/256 px.
+type Point = [i128; 2];
 
 /// A triangle with corners rounded to 1/256 px.
 #[derive(Clone, Copy, Debug)]
-pub struct Triangle([Corner; 3]);
+pub struct Triangle(pub(crate) [Point; 3]);
 
 impl Triangle {
     /// Rounds the corners, given in px, to the nearest 1/256 px, a tie to the even one.
@@ -28,10 +28,26 @@ impl Triangle {
         Self(corners.map(|corner| [snap(corner.x), snap(corner.y)]))
     }
 
-    /// Whether the pixel (x, y) is covered.
+    /// Whether the pixel (x, y) is covered: its centre is inside.
     #[must_use]
     pub fn covers(&self, x: i32, y: i32) -> bool {
-        let [px, py] = center(x, y);
+        self.contains(center(x, y))
+    }
+
+    /// The samples of a pixel that are inside, bit s for sample s. Their places are counted from the pixel's lower
+    /// left corner, in 1/16 px.
+    #[must_use]
+    pub fn samples(&self, x: i32, y: i32, places: &[[i32; 2]]) -> u32 {
+        let inside = |&[right, up]: &[i32; 2]| {
+            let along = |pixel: i32, part: i32| i128::from(pixel) * 256 + i128::from(part) * 16;
+            self.contains([along(x, right), along(y, up)])
+        };
+        (0..).zip(places).fold(0, |mask, (s, place)| mask | u32::from(inside(place)) << s)
+    }
+
+    /// Whether a point, in 1/256 px, is inside.
+    #[must_use]
+    pub fn contains(&self, [px, py]: [i128; 2]) -> bool {
         let [a, b, c] = self.0;
         let crossings = [[a, b], [b, c], [c, a]].into_iter().filter(|[a, b]| {
             let [low, high] = if a[1] <= b[1] { [a, b] } else { [b, a] };
@@ -62,12 +78,12 @@ impl Triangle {
     }
 }
 
-fn center(x: i32, y: i32) -> Corner {
+fn center(x: i32, y: i32) -> Point {
     [x, y].map(|n| i128::from(n) * 256 + 128)
 }
 
 /// Twice the signed area of a triangle, by the shoelace formula.
-fn doubled_area(a: Corner, b: Corner, c: Corner) -> i128 {
+fn doubled_area(a: Point, b: Point, c: Point) -> i128 {
     a[0] * b[1] - b[0] * a[1] + b[0] * c[1] - c[0] * b[1] + c[0] * a[1] - a[0] * c[1]
 }
 
@@ -87,6 +103,22 @@ mod tests {
         pixels.sort_unstable();
         let expected: Vec<_> = (0..3).flat_map(|x| (1..4).map(move |y| (x, y))).collect();
         assert_eq!(pixels, expected);
+    }
+
+    #[test]
+    fn a_sample_on_a_side_belongs_to_the_top_and_to_the_left() {
+        // A square of half a pixel, with a sample on each corner, on the middle of each side, and in the middle.
+        let places = [[4, 4], [12, 4], [12, 12], [4, 12], [8, 4], [12, 8], [8, 12], [4, 8], [8, 8]];
+        let [a, b, c, d] = [(2.25, -0.75), (2.75, -0.75), (2.75, -0.25), (2.25, -0.25)].map(Vec2::from);
+        let halves = [[a, b, c], [a, c, d]].map(|corners| Triangle::new(corners).samples(2, -1, &places));
+        // The diagonal is a left side of the lower half: the middle is its.
+        assert_eq!(halves, [0b1_0000_0000, 0b0_1100_1000]);
+        assert_eq!(Triangle::new([a, b, c]).samples(1, -1, &places), 0);
+        // One sample, at the centre, is the pixel.
+        assert_eq!(
+            Triangle::new([a, b, c]).samples(2, -1, &[[8, 8]]) == 1,
+            Triangle::new([a, b, c]).covers(2, -1)
+        );
     }
 
     #[test]

@@ -3,7 +3,8 @@
 //! | module | reference |
 //! |---|---|
 //! | [`segment`] | the ideal line, in rational numbers |
-//! | [`coverage`] | the pixels of a triangle and their weights, in `i128` |
+//! | [`coverage`] | the pixels of a triangle, the samples of a pixel, and their weights, in `i128` |
+//! | [`area`] | how much of a pixel a triangle covers, in rational numbers |
 //! | [`visibility`] | the nearest of several triangles, in `f64` |
 //! | [`clipspace`] | which side of a triangle of clip space is seen, in `i128`; what a ray meets of it, in `f64` |
 //! | [`texel`] | the texel of a texture coordinate, in `i128` |
@@ -17,16 +18,25 @@
 //! | [`ray`] | what a ray from an eye meets, in `f64` |
 //! | [`camera`] | a frustum's matrix, and the distance of a depth, in `f64` |
 //! | [`footprint`] | what a pixel sees of a textured plane, in `f64`, with as many rays as wanted |
+//! | [`edge`] | how well the samples of a pixel show an edge, by its angle, in `f64` |
+//! | [`box_filter`] | the mean of all that is seen in a pixel, by cutting what is nearer out of what is farther, in `f64` |
+//! | [`layers`] | the transparent layers of a pixel, sorted, in `f64`, and each rounded in whole numbers |
+//! | [`cutout`] | a texture with alpha, filtered and laid over a colour, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
 //! compared by `common`, as under `--compare`.
 
+pub mod area;
+pub mod box_filter;
 pub mod camera;
 pub mod clipspace;
 pub mod coverage;
+pub mod cutout;
+pub mod edge;
 pub mod footprint;
 pub mod lamp;
+pub mod layers;
 pub mod matrix;
 pub mod picture;
 pub mod ray;

@@ -382,7 +382,7 @@ impl Target<Fragment<f32>> for Log {
         verify::window(8, 8)
     }
 
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
         depth < self.deepest[(8 * y + x) as usize]
     }
 

@@ -1067,7 +1067,7 @@ impl Target<(usize, Fragment<f32>)> for Log {
         window(8, 8)
     }
 
-    fn test(&self, x: i32, y: i32, _: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, _: f32) -> bool {
         self.0[(8 * y + x) as usize].is_none()
     }
 

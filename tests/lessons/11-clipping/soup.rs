@@ -71,7 +71,7 @@ impl Target<Seen> for Log {
     }
 
     /// Nothing beyond far is seen, and all else may be written.
-    fn test(&self, _: i32, _: i32, depth: f32) -> bool {
+    fn test(&mut self, _: i32, _: i32, depth: f32) -> bool {
         assert!(!depth.is_nan());
         depth < 1.0
     }

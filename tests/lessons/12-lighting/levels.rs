@@ -58,7 +58,7 @@ impl Target<Inputs> for Nearest {
         verify::window(SIDE.into(), SIDE.into())
     }
 
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
         depth < self.0[(y * i32::from(SIDE) + x) as usize].0
     }
 

@@ -56,7 +56,7 @@ impl Target<bool> for Counting {
         Bounds { min: IVec2::ZERO, max: IVec2::splat(SIDE - 1) }
     }
 
-    fn test(&self, x: i32, y: i32, depth: f32) -> bool {
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
         depth < self.depths[(y * SIDE + x) as usize]
     }
 

@@ -1,0 +1,2 @@
+//! Draws lesson 14's pictures: `cargo run --release -p blending`.
+fn main() {}
