@@ -68,12 +68,6 @@ impl<'a> Entity<'a> {
         Some(Translucent { shader, alpha: self.alpha, vertices: () })
     }
 
-    /// Its vertices and triangles.
-    #[must_use]
-    pub fn mesh(&self) -> &'a Mesh {
-        self.model.surface(Vec3::ZERO, Mat4::IDENTITY).mesh
-    }
-
     fn is_opaque(&self) -> bool {
         self.alpha >= 1.0
     }
