@@ -97,9 +97,16 @@ impl Setup {
     /// The triangle with these corners, in pixels and in any order, in the picture that `bounds` are of. `None`
     /// where it covers no pixel: it has no area, its box holds no pixel's centre, or a corner is NaN or beyond
     /// ±2⁵² px.
-    // ANCHOR: new
     #[must_use]
     pub fn new(corners: [Vec2; 3], bounds: Bounds) -> Option<Self> {
+        Self::asked_at(corners, bounds, [[0; 2]; 2])
+    }
+
+    /// The same where a pixel is asked at other places than its centre: at any from the lower left to the upper
+    /// right one of these two, in 1/256 px from the centre, at most half a pixel away.
+    // ANCHOR: new
+    #[must_use]
+    pub fn asked_at(corners: [Vec2; 3], bounds: Bounds, places: [[i64; 2]; 2]) -> Option<Self> {
         // NaN is within no limit.
         let within = |limit: f32| corners.iter().all(|corner| corner.abs().cmple(Vec2::splat(limit)).all());
         if !within(WIDE) {
@@ -107,7 +114,7 @@ impl Setup {
         }
         let wide = !within(NARROW);
         let [a, b, c] = corners.map(snap);
-        let bounds = box_of([a, b, c], bounds);
+        let bounds = box_of([a, b, c], places, bounds);
         // Far from the triangle no bound on the numbers holds.
         if bounds.max.cmplt(bounds.min).any() {
             return None;
@@ -149,12 +156,33 @@ impl Setup {
         self.span(y, self.edges + self.up * rows as f64)
     }
 
+    /// The pixels of a row that are covered at a place, in 1/256 px from their centres: one of those that the
+    /// triangle was made ready for.
+    #[inline(always)]
+    #[must_use]
+    pub fn row_at(&self, y: i32, place: [i64; 2]) -> Range<i64> {
+        if self.wide {
+            return self.wide_row(y, place).pixels;
+        }
+        let rows = i64::from(y) - i64::from(self.bounds.min.y);
+        let (first, last) = self.ends(self.edges + self.offset(place) + self.up * rows as f64);
+        let left = i64::from(self.bounds.min.x);
+        left + first..left + last + 1
+    }
+
+    /// What a place in a pixel, in 1/256 px from its centre, adds to the edge functions there.
+    #[inline]
+    #[must_use]
+    pub fn offset(&self, [x, y]: [i64; 2]) -> DVec3 {
+        (self.right * x as f64 + self.up * y as f64) / SUBPIXELS as f64
+    }
+
     /// The covered pixels of a row, from the edge functions at its first pixel in the bounds.
     // ANCHOR: row
     #[inline(always)]
     fn span(&self, y: i32, start: DVec3) -> Row {
         if self.wide {
-            return self.wide_row(y);
+            return self.wide_row(y, [0; 2]);
         }
         let (first, last) = self.ends(start);
         let left = i64::from(self.bounds.min.x);
@@ -187,15 +215,20 @@ impl Setup {
         edges(self.corners, point, self.wide) * self.turn
     }
 
-    /// As [`row`](Self::row), for a wide triangle: of the pixels next to the ends, as f64 knows them, each is asked.
+    /// As [`row`](Self::row), for a wide triangle and a place in a pixel: of the pixels next to the ends, as f64 knows
+    /// them, each is asked.
     #[cold]
     #[inline(never)]
-    fn wide_row(&self, y: i32) -> Row {
+    fn wide_row(&self, y: i32, place: Fixed) -> Row {
         let [min, max] = [self.bounds.min.x, self.bounds.max.x].map(i64::from);
-        let (first, last) = self.ends(self.at(center(min, y)));
+        let at = |x: i64| {
+            let center = center(x, y);
+            [center[0] + place[0], center[1] + place[1]]
+        };
+        let (first, last) = self.ends(self.at(at(min)));
         let mut first = min + first.clamp(1, max - min + 1) - 1;
         let mut last = max.min(min + last + 1);
-        let covered = |x| self.covers(center(x, y));
+        let covered = |x| self.covers(at(x));
         while first <= last && !covered(first) {
             first += 1;
         }
@@ -205,7 +238,7 @@ impl Setup {
         // Each addition along the row rounds by at most half an epsilon of the whole area: with so much more at its
         // start no weight ends below 0.
         let rounding = (last - first + 2) as f64 * f64::EPSILON / self.per_area;
-        Row { pixels: first..last + 1, edges: self.at(center(first, y)) + rounding }
+        Row { pixels: first..last + 1, edges: self.at(at(first)) + rounding }
     }
 }
 
@@ -219,13 +252,14 @@ pub fn snap(corner: Vec2) -> [i64; 2] {
 }
 // ANCHOR_END: snap
 
-/// The pixels of `bounds` whose centres lie in the box about the corners.
-fn box_of([a, b, c]: [Fixed; 3], bounds: Bounds) -> Bounds {
+/// The pixels of `bounds` one of whose places, counted from their centres, may lie in the box about the corners.
+fn box_of([a, b, c]: [Fixed; 3], places: [Fixed; 2], bounds: Bounds) -> Bounds {
     let half = SUBPIXELS / 2;
     let inside = |axis: usize, min: i32, max: i32| {
         let [low, high] = [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])];
-        let first = (low - half + SUBPIXELS - 1).div_euclid(SUBPIXELS).max(min.into());
-        let last = (high - half).div_euclid(SUBPIXELS).min(max.into());
+        let [left, right] = places.map(|place| half + place[axis]);
+        let first = (low - right + SUBPIXELS - 1).div_euclid(SUBPIXELS).max(min.into());
+        let last = (high - left).div_euclid(SUBPIXELS).min(max.into());
         // Empty where they have passed each other; else both are within the bounds.
         if first <= last { (first as i32, last as i32) } else { (0, -1) }
     };

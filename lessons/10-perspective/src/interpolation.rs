@@ -152,9 +152,11 @@ impl<const N: u8> Interpolation for Every<N> {
 }
 // ANCHOR_END: every
 
-/// The corners' 1/w as shares of the largest, so that none is too small to be multiplied, and equal ones are 1.
+/// The corners' 1/w as shares of the largest, so that none is too small to be multiplied, and equal ones are 1. `None` where
+/// a triangle is to be left out: see [`Interpolation::fill`].
 #[inline]
-fn relative(corners: [Vec4; 3]) -> Option<Vec3> {
+#[must_use]
+pub fn relative(corners: [Vec4; 3]) -> Option<Vec3> {
     let inverse_w = Vec3::from_array(corners.map(|corner| corner.w));
     let largest = inverse_w.max_element();
     let good = inverse_w.is_finite() && inverse_w.min_element() >= 0.0 && largest > 0.0;

@@ -8,7 +8,8 @@
 //! whose parts are [`scissor`], [`stencil`], [`depth`], [`blend`] or [`logic`], and [`mask`]; what it leaves out is not in
 //! the compiled loop. [`target`] is what fragments are drawn to, tested early or late, [`outputs`] takes several outputs of
 //! one shader, [`translucent`] makes any shader's colours let light through. [`division`] has the ways to divide by 255
-//! ([`METHODS`]). From lesson 9 come shaders and targets, from lesson 11 the loop, from lesson 13 the texture: all unchanged.
+//! ([`METHODS`]), [`transparency`](mod@transparency) those to draw layers in no order ([`TRANSPARENCY`]), [`space`] those to mix
+//! colours ([`SPACES`]). From lesson 9 come shaders and targets, from lesson 11 the loop, from lesson 13 the texture: all unchanged.
 //!
 //! Conventions: as in lesson 13. *Source* is the fragment, *destination* the pixel. Alpha is straight, a colour is not
 //! multiplied by it, unless a name says so. What is blended is codes, not light, unless a name says so. A picture without
@@ -16,9 +17,11 @@
 
 pub mod blend;
 pub mod compare;
+pub mod cutout;
 pub mod depth;
 pub mod division;
 pub mod flags;
+pub mod glass;
 pub mod lamp;
 pub mod logic;
 pub mod mask;
@@ -26,10 +29,12 @@ pub mod outputs;
 pub mod plain;
 pub mod scene;
 pub mod scissor;
+pub mod space;
 pub mod state;
 pub mod stencil;
 pub mod target;
 pub mod translucent;
+pub mod transparency;
 
 use clipping::Drawn;
 use common::{Bounds, Color, Image, Lesson, Method, Table};
@@ -44,10 +49,12 @@ pub use division::TwoShift;
 pub use logic::LogicOp;
 pub use mask::WriteMask;
 pub use outputs::{Buffers, Outputs};
+pub use space::{SPACES, Space};
 pub use state::{Operations, State};
 pub use stencil::{StencilOp, StencilTest};
 pub use target::{Framebuffer, Late, Replaced};
 pub use translucent::{Translucent, faded};
+pub use transparency::{TRANSPARENCY, Transparency};
 
 use blend::BlendStage;
 use depth::DepthStage;
@@ -60,7 +67,11 @@ pub const LESSON: Lesson = Lesson {
     name: "blending",
     title: "Blending",
     job: "what happens to a fragment",
-    tables: &[Table { name: "", job: "Divide by 255", rows: || Method::rows(METHODS) }],
+    tables: &[
+        Table { name: "", job: "Divide by 255", rows: || Method::rows(METHODS) },
+        Table { name: "transparency", job: "Draw what is transparent", rows: || Method::rows(TRANSPARENCY) },
+        Table { name: "spaces", job: "Mix colours", rows: || Method::rows(SPACES) },
+    ],
 };
 
 /// A state that is decided when the program runs.

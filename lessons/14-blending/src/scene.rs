@@ -1,6 +1,6 @@
 //! Entities: models at their places in the world, opaque or not.
 
-use clipping::{Clipping, Counts, Cull, Drawn, render};
+use clipping::{Clipping, Counts, Cull, Drawn, Mesh, render};
 use common::{Color, Image, Mat4, Vec2, Vec3};
 use filtering::filter::Trilinear;
 use filtering::scene::Filterable;
@@ -14,6 +14,7 @@ use crate::lamp::Lamp;
 use crate::state::State;
 use crate::target::Framebuffer;
 use crate::translucent::Translucent;
+use crate::transparency::{Transparency, gather};
 
 /// Who looks at the entities, and by which light.
 #[derive(Clone, Copy, Debug)]
@@ -53,28 +54,67 @@ impl<'a> Entity<'a> {
         Some(Translucent { shader, alpha: self.alpha, vertices: () })
     }
 
+    /// Its vertices and triangles.
+    #[must_use]
+    pub fn mesh(&self) -> &'a Mesh {
+        self.model.surface(Vec3::ZERO, Mat4::IDENTITY).mesh
+    }
+
+    fn is_opaque(&self) -> bool {
+        self.alpha >= 1.0
+    }
+
     /// Draws it to any target.
     pub fn draw(&self, view: &View, cull: Cull, target: &mut impl Target<Color>) -> Counts {
         let size = (target.bounds().max + 1).as_vec2();
         let Some(shader) = self.shader(view, size) else { return Counts::default() };
-        let mesh = self.model.surface(Vec3::ZERO, view.to_clip).mesh;
-        render(&shader, mesh, cull, Clipping::GuardBand, target)
+        render(&shader, self.mesh(), cull, Clipping::GuardBand, target)
     }
 }
 
 /// Draws entities over a picture: first the opaque ones, then those that one sees through, as they come.
 // ANCHOR: draw
 pub fn draw<B: BlendStage>(entities: &[Entity], view: &View, blend: B, image: &mut Image) -> Drawn {
-    let mut counts = Counts::default();
-    let is_opaque = |entity: &&Entity| entity.alpha >= 1.0;
-    let mut target = Framebuffer::new(image, State::OFF);
-    for entity in entities.iter().filter(is_opaque) {
-        counts += entity.draw(view, Cull::Back, &mut target);
-    }
+    let (target, mut counts) = opaque(entities, view, image);
     let mut target = target.under(State::blending(blend));
-    for entity in entities.iter().filter(|entity| !is_opaque(entity)) {
+    for entity in entities.iter().filter(|entity| !entity.is_opaque()) {
         counts += entity.draw(view, Cull::Back, &mut target);
     }
     Drawn { depths: target.depths, counts }
 }
+
+/// The opaque ones.
+fn opaque<'a>(entities: &[Entity], view: &View, image: &'a mut Image) -> (Framebuffer<'a, State>, Counts) {
+    let mut counts = Counts::default();
+    let mut target = Framebuffer::new(image, State::OFF);
+    for entity in entities.iter().filter(|entity| entity.is_opaque()) {
+        counts += entity.draw(view, Cull::Back, &mut target);
+    }
+    (target, counts)
+}
 // ANCHOR_END: draw
+
+/// The same, but those that one sees through in one of the ways of [`TRANSPARENCY`](crate::TRANSPARENCY), with what of them
+/// `cull` does not leave out. They leave no depths behind.
+// ANCHOR: draw_by
+pub fn draw_by(
+    transparency: Transparency,
+    entities: &[Entity],
+    view: &View,
+    cull: Cull,
+    blend: impl BlendStage,
+    image: &mut Image,
+) -> Drawn {
+    let size = image.size();
+    let (Framebuffer { image, depths, .. }, mut counts) = opaque(entities, view, image);
+    let transparent = entities.iter().filter(|entity| !entity.is_opaque());
+    let shaders: Vec<_> =
+        transparent.filter_map(|entity| Some((entity.shader(view, size)?, entity.mesh()))).collect();
+    let mut triangles = Vec::new();
+    for (shader, mesh) in &shaders {
+        counts += gather(shader, mesh, cull, size, &mut triangles);
+    }
+    transparency.draw(&triangles, blend, image, &depths);
+    Drawn { depths, counts }
+}
+// ANCHOR_END: draw_by

@@ -63,9 +63,14 @@ impl Texture {
     /// Of a picture whose codes are light in themselves, or whatever `light` says.
     #[must_use]
     pub fn by(image: &Image, outside: Outside, light: fn(f64) -> f64) -> Self {
-        let of = |Color { r, g, b, .. }: Color| [r, g, b].map(|code| light(code.into()));
-        let texels = image.pixels().map(|(_, _, color)| of(color)).collect();
-        Self { width: image.width().into(), height: image.height().into(), outside, light: texels }
+        Self::of(image, outside, |Color { r, g, b, .. }| [r, g, b].map(|code| light(code.into())))
+    }
+
+    /// Of a picture each of whose pixels stands for three numbers.
+    #[must_use]
+    pub fn of(image: &Image, outside: Outside, numbers: impl Fn(Color) -> [f64; 3]) -> Self {
+        let light = image.pixels().map(|(_, _, color)| numbers(color)).collect();
+        Self { width: image.width().into(), height: image.height().into(), outside, light }
     }
 
     /// The texel that stands for texel i of a row of n, any whole number.

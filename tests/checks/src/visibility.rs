@@ -29,7 +29,7 @@ pub fn nearest(triangles: &[[Vec3; 3]], x: i32, y: i32) -> Option<Seen> {
 }
 
 /// The depth of a triangle's plane at a pixel's centre that it covers.
-fn depth_at(corners: &[Vec3; 3], x: i32, y: i32) -> Option<f64> {
+pub(crate) fn depth_at(corners: &[Vec3; 3], x: i32, y: i32) -> Option<f64> {
     if !corners.iter().all(|corner| corner.is_finite()) {
         return None;
     }

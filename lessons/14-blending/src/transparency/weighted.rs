@@ -1,0 +1,99 @@
+//! A mean of all layers, which needs no order.
+//!
+//! How much of the background is seen is the product of all 1 − α, in whatever order. What else is seen is a mean of the
+//! layers' colours, each weighted by its α and by how near it is: with n layers, sums instead of a sort (M. McGuire and L.
+//! Bavoil, *Weighted blended order-independent transparency*, Journal of Computer Graphics Techniques 2, 2013).
+
+use common::{Bounds, Color, Image, Vec4};
+use shaders::target::Target;
+use zbuffer::DepthBuffer;
+
+use super::Fill;
+
+// ANCHOR: weight
+/// How much a layer counts: α·max(10⁻², 3·10³·(1 − z)³), z its depth in the window, from 0 to 1 (McGuire and Bavoil, equation
+/// 10). `alpha` is from 0 to 1.
+#[inline]
+#[must_use]
+pub fn weight(depth: f32, alpha: f32) -> f32 {
+    let near = 1.0 - depth;
+    alpha * (3e3 * near * near * near).max(1e-2)
+}
+// ANCHOR_END: weight
+
+// ANCHOR: weighted
+/// Sums up all layers, then lays their mean over the picture.
+pub(super) fn draw(transparent: &[impl Fill], image: &mut Image, depths: &DepthBuffer<f32>) {
+    let layers = vec![Layers::NONE; image.width() as usize * image.height() as usize];
+    let mut sums = Sums { depths, layers };
+    transparent.iter().for_each(|triangle| triangle.fill(&mut sums));
+    let columns = 0..image.width();
+    let pixels = (0..image.height()).flat_map(|y| columns.clone().map(move |x| (x, y)));
+    for ((x, y), layers) in pixels.zip(&sums.layers) {
+        // Where nothing is, or nothing but alphas of 0, there is no mean.
+        if let Some(below) = image.get(x, y).filter(|_| layers.color.w > 0.0) {
+            image.set(x, y, layers.over(below));
+        }
+    }
+}
+
+/// The layers of a pixel.
+#[derive(Clone, Copy)]
+struct Layers {
+    /// The sums of channel · α · weight, from 0 to 255 each, and of α · weight.
+    color: Vec4,
+    /// The share of the background that they all let through.
+    through: f32,
+}
+
+impl Layers {
+    const NONE: Self = Self { color: Vec4::ZERO, through: 1.0 };
+
+    #[inline]
+    fn add(&mut self, depth: f32, Color { r, g, b, a }: Color) {
+        let alpha = f32::from(a) / 255.0;
+        let channels = Vec4::new(f32::from(r), f32::from(g), f32::from(b), 1.0);
+        self.color += channels * (alpha * weight(depth, alpha));
+        self.through *= 1.0 - alpha;
+    }
+
+    /// The mean of all layers over a colour, rounded to nearest.
+    fn over(&self, below: Color) -> Color {
+        let mean = self.color / self.color.w;
+        let mix = |layers: f32, below: u8| (layers + (f32::from(below) - layers) * self.through + 0.5) as u8;
+        Color {
+            r: mix(mean.x, below.r),
+            g: mix(mean.y, below.g),
+            b: mix(mean.z, below.b),
+            a: mix(255.0, below.a),
+        }
+    }
+}
+
+/// The sums in each pixel, rows from the bottom.
+struct Sums<'a> {
+    depths: &'a DepthBuffer<f32>,
+    layers: Vec<Layers>,
+}
+
+impl Target<Color> for Sums<'_> {
+    fn bounds(&self) -> Bounds {
+        self.depths.bounds()
+    }
+
+    #[inline]
+    fn test(&mut self, x: i32, y: i32, depth: f32) -> bool {
+        depth < self.depths.get(x, y)
+    }
+
+    #[inline]
+    fn write(&mut self, x: i32, y: i32, depth: f32, color: Color) {
+        let width = self.depths.bounds().max.x as usize + 1;
+        self.layers[y as usize * width + x as usize].add(depth, color);
+    }
+
+    fn clear(&mut self) {
+        self.layers.fill(Layers::NONE);
+    }
+}
+// ANCHOR_END: weighted

@@ -1,0 +1,76 @@
+//! A picture four times as wide and as high, and each pixel the mean of sixteen.
+
+use std::array;
+
+use blending::Operations;
+use common::{Color, Image, Vec2, Vec4};
+use shaders::shader::{Fragment, Varying};
+use zbuffer::DepthBuffer;
+
+use crate::canvas::Canvas;
+use crate::multisampled::{Multisampled, pixels};
+use crate::resolve::Resolve;
+use crate::storage::{Samples, Storage};
+
+/// How many times as wide and as high the larger picture is.
+pub const TIMES: usize = 4;
+
+/// A larger picture with one sample in each pixel, as lessons 3 to 14 draw it.
+pub struct Ordered(Multisampled<1, Samples<1>>);
+
+// ANCHOR: ordered
+impl Canvas for Ordered {
+    type Stencil = ();
+
+    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
+        Self(Multisampled::new([width * TIMES, height * TIMES], alpha_to_coverage))
+    }
+
+    fn clear(&mut self, background: Color) {
+        self.0.clear(background);
+    }
+
+    fn size(&self) -> Vec2 {
+        self.0.size()
+    }
+
+    #[inline]
+    fn fill<V: Varying>(
+        &mut self,
+        state: impl Operations<Stencil = ()>,
+        corners: [Vec4; 3],
+        varyings: [V; 3],
+        shade: impl FnMut(Fragment<V>) -> Option<Color>,
+    ) {
+        self.0.fill(state, corners, varyings, shade);
+    }
+
+    fn resolve(&self, resolve: Resolve, picture: &mut Image) {
+        for (x, y) in pixels(picture.bounds()) {
+            let colors = self.under(x, y).map(|place| self.0.colors.colors(place)[0]);
+            picture.set(x, y, resolve(&colors));
+        }
+    }
+
+    fn depths(&self, picture: &Image) -> DepthBuffer<f32> {
+        let mut nearest = DepthBuffer::new(picture, 1.0);
+        for (x, y) in pixels(picture.bounds()) {
+            nearest.set(
+                x,
+                y,
+                self.under(x, y).map(|place| self.0.depths[place][0]).into_iter().fold(1.0, f32::min),
+            );
+        }
+        nearest
+    }
+}
+// ANCHOR_END: ordered
+
+impl Ordered {
+    /// Where the pixels of the larger picture are that a pixel is the mean of.
+    fn under(&self, x: i32, y: i32) -> [usize; TIMES * TIMES] {
+        let width = self.0.width();
+        let first = (y as usize * width + x as usize) * TIMES;
+        array::from_fn(|n| first + n / TIMES * width + n % TIMES)
+    }
+}
