@@ -1,3 +1,5 @@
 //! Lesson 14: what its methods draw, where they fail, what its program is asked.
 
+mod layers;
+mod order;
 mod products;
