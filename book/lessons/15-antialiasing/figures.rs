@@ -3,7 +3,9 @@
 use std::f32::consts::TAU;
 use std::path::Path;
 
+use ::triangles::barycentric::weights;
 use antialiasing::multisampled::{Multisampled, PerCenter};
+#[cfg(feature = "measure")]
 use antialiasing::scene::World;
 use antialiasing::storage::{Compressed, Samples, Storage};
 use antialiasing::{Canvas, Draw, METHODS, RESOLVES, Scene, coverage, pattern, resolve};
@@ -24,7 +26,6 @@ use perspective::scene::Loaded;
 use shaders::Uniforms;
 use shaders::lighting::Flat;
 use shaders::shader::Shader;
-use ::triangles::barycentric::weights;
 use zbuffer::Surface;
 
 use super::sketches::{centroid, heights, levels, patterns, shoelace};
@@ -84,14 +85,14 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "antialiasing-touched",
-        "A head in a few colours: blue inside of its triangles, and lighter along their sides, where two or more of them meet in \
-         a pixel.",
+        "A head, twice, coloured by counts. On the left it is blue, and lighter where one thing lies before another; on the right \
+         lighter lines run along the sides of all triangles, and are orange where these are small.",
         touched,
     ),
     Figure::new(
         "antialiasing-centre",
-        "A fan of thin triangles from orange to blue, twice, enlarged. On the left its borders are beset with white and black \
-         pixels; on the right with none.",
+        "A fan of thin triangles from orange to blue, twice, enlarged. On the left its borders are beset with white pixels; on \
+         the right there are none.",
         centre,
     ),
     Figure::new(
@@ -113,7 +114,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "antialiasing-whole",
-        "A head and a fan, as a map of pixels: pale where a pixel keeps one colour, dark along outlines and the sides of triangles.",
+        "A head, and a map of its pixels: pale where a pixel keeps one colour, dark along outlines and the sides of triangles.",
         whole,
     ),
     Figure::new(
@@ -134,7 +135,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "antialiasing-bytes",
-        "A wheel of light triangles, and the same nearly black, with a few light pixels.",
+        "A wheel of light triangles on a dark ground, and the same nearly black.",
         bytes,
     ),
 ];
@@ -163,7 +164,7 @@ fn enlarged(image: &Image, times: u16) -> Image {
 }
 
 /// A triangle of one colour in the window.
-fn flat(corners: [Vec2; 3], color: Color) -> Surface {
+pub(crate) fn flat(corners: [Vec2; 3], color: Color) -> Surface {
     Surface { corners: corners.map(|corner| corner.extend(0.5)), color }
 }
 
@@ -184,7 +185,10 @@ fn by_method(name: &str, scene: &Scene, [width, height]: [u16; 2]) -> anyhow::Re
 /// Sixteen samples a pixel, shaded once.
 type Sixteen = Multisampled<16, Compressed<16>>;
 
-const GROUND: Color = Color::rgb(0xfb, 0xf3, 0xe2);
+/// One sample a pixel.
+type One = Multisampled<1, Samples<1>>;
+
+pub(crate) const GROUND: Color = Color::rgb(0xfb, 0xf3, 0xe2);
 const GRAY: Color = Color::rgb(0x5a, 0x60, 0x68);
 const NIGHT: Color = Color::rgb(0x14, 0x1b, 0x26);
 
@@ -215,9 +219,10 @@ fn shares() -> anyhow::Result<Drawing> {
 }
 
 /// A wheel of triangles about a place, each as wide as `share` of the way to the next one.
-fn wheel(middle: Vec2, radius: f32, (count, share): (u32, f32), color: Color) -> Vec<Surface> {
+pub(crate) fn wheel(middle: Vec2, radius: f32, (count, share): (u32, f32), color: Color) -> Vec<Surface> {
     let spoke = |n: u32| {
-        let at = |part: f32| middle + radius * Vec2::from_angle((n as f32 + part + 0.37) * TAU / count as f32);
+        let at =
+            |part: f32| middle + radius * Vec2::from_angle((n as f32 + part + 0.37) * TAU / count as f32);
         flat([middle, at(-share / 2.0), at(share / 2.0)], color)
     };
     (0..count).map(spoke).collect()
@@ -251,7 +256,7 @@ fn crossed() -> [Surface; 2] {
     let surface = |corners: [(f32, f32, f32); 3], color| Surface { corners: corners.map(Vec3::from), color };
     [
         surface([(2.5, 5.0, 0.2), (30.0, 2.2, 0.8), (24.0, 33.5, 0.55)], Color::rgb(0xf2, 0xc1, 0x4e)),
-        surface([(34.0, 8.5, 0.25), (28.5, 31.0, 0.3), (3.5, 25.0, 0.75)], Color::rgb(0x2f, 0x9f, 0xc4)),
+        surface([(34.0, 8.5, 0.3), (28.5, 31.0, 0.32), (3.5, 25.0, 0.6)], Color::rgb(0x1f, 0x5f, 0x94)),
     ]
 }
 
@@ -307,55 +312,96 @@ impl Head {
     }
 
     /// What of the world a scene has.
+    #[cfg(feature = "measure")]
     pub(crate) fn world<'a>(&self, entities: &'a [Entity<'a>]) -> World<'a> {
         World { entities, view: self.view, cull: Cull::Back }
+    }
+
+    /// Figures of its picture: how many times as often it is shaded with 16 samples as with one, counted and by the chapter's
+    /// formula, and how many percent of its pixels keep one colour.
+    #[cfg(feature = "measure")]
+    pub(crate) fn counts(&self, side: u16) -> Vec<(&'static str, f64)> {
+        let [one, many] = [counted::<One>(self, side), counted::<Sixteen>(self, side)]
+            .map(|counts| counts.iter().sum::<usize>());
+        let (mut area, mut across) = (0.0, 0.0);
+        let entity = self.entity();
+        let size = Vec2::splat(side.into());
+        if let Some(shader) = entity.shader(&self.view, size) {
+            triangles(&shader, entity.mesh(), Cull::Back, Clipping::GuardBand, size, |_, corners, _| {
+                let [a, b, c] = corners.map(|corner| Vec2::new(corner.x, corner.y));
+                area += f64::from((b - a).perp_dot(c - a).abs()) / 2.0;
+                across += f64::from((a.max(b).max(c) - a.min(b).min(c)).element_sum());
+            });
+        }
+        let mut canvas = Sixteen::new([side.into(); 2], false);
+        let mut seen = vec![false; usize::from(side).pow(2)];
+        self.draw(&mut canvas, |x, y| seen[y as usize * usize::from(side) + x as usize] = true);
+        let pixels = seen.iter().filter(|&&seen| seen).count();
+        let whole = (0..seen.len()).filter(|&n| seen[n] && canvas.colors.colors(n).len() == 1).count();
+        vec![
+            ("calls", many as f64 / one as f64),
+            ("calls_derived", 1.0 + across / area),
+            ("one_colour_%", 100.0 * whole as f64 / pixels as f64),
+        ]
     }
 
     /// Draws it to a canvas and calls `shaded` whenever a fragment of it is shaded.
     fn draw(&self, canvas: &mut impl Canvas<Stencil = ()>, mut shaded: impl FnMut(i32, i32)) {
         let entity = self.entity();
         let Some(shader) = entity.shader(&self.view, canvas.size()) else { return };
-        triangles(&shader, entity.mesh(), Cull::Back, Clipping::GuardBand, canvas.size(), |constant, corners, varyings| {
-            canvas.fill(State::OFF, corners, varyings, |fragment| {
-                shaded(fragment.x, fragment.y);
-                shader.fragment(constant, fragment)
-            });
-        });
+        triangles(
+            &shader,
+            entity.mesh(),
+            Cull::Back,
+            Clipping::GuardBand,
+            canvas.size(),
+            |constant, corners, varyings| {
+                canvas.fill(State::OFF, corners, varyings, |fragment| {
+                    shaded(fragment.x, fragment.y);
+                    shader.fragment(constant, fragment)
+                });
+            },
+        );
     }
+}
+
+/// How often each pixel of a square picture of the head is shaded, by this canvas.
+fn counted<C: Canvas<Stencil = ()>>(head: &Head, side: u16) -> Vec<usize> {
+    let side = usize::from(side);
+    let mut counts = vec![0; side * side];
+    head.draw(&mut C::new([side; 2], false), |x, y| counts[y as usize * side + x as usize] += 1);
+    counts
 }
 
 fn touched() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 440;
     let head = Head::new()?;
-    let colors = [(0xf7, 0xf4, 0xee), (0x1f, 0x55, 0x77), (0x3f, 0x9a, 0xc9), (0xf2, 0xc1, 0x4e), (0xd5, 0x5e, 0x00)]
-        .map(|(r, g, b)| Color::rgb(r, g, b));
-    fn counted<C: Canvas<Stencil = ()>>(head: &Head, side: u16) -> Vec<usize> {
-        let side = usize::from(side);
-        let mut counts = vec![0; side * side];
-        head.draw(&mut C::new([side; 2], false), |x, y| counts[y as usize * side + x as usize] += 1);
-        counts
-    }
-    let one = counted::<Multisampled<1, Samples<1>>>(&head, SIDE);
-    let many = counted::<Sixteen>(&head, SIDE);
-    let pictures = [one, many].map(|counts| {
+    let colors =
+        [(0xf7, 0xf4, 0xee), (0x1f, 0x55, 0x77), (0x3f, 0x9a, 0xc9), (0xf2, 0xc1, 0x4e), (0xd5, 0x5e, 0x00)]
+            .map(|(r, g, b)| Color::rgb(r, g, b));
+    let counts = [counted::<One>(&head, SIDE), counted::<Sixteen>(&head, SIDE)];
+    let pictures = counts.map(|counts| {
         painted(SIDE, SIDE, |x, y| colors[counts[y as usize * usize::from(SIDE) + x as usize].min(4)])
     });
     rows_of(&[pictures.into()])
 }
 
-/// A fan of thin triangles, from one colour at one long side to another one at the other.
-fn shaded_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
+/// A fan of thin triangles, each with a strip of a texture from one long side to the other: orange to blue. Beside the strip
+/// the texture is white.
+fn striped_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
     let mut image = Image::new(width, height, Format::Rgb);
     let mut canvas = C::new([width, height].map(usize::from), false);
     canvas.clear(NIGHT);
-    let tip = Vec2::new(1.3, 1.2);
-    for n in 0..15 {
-        let at = |part: f32| tip + 52.0 * Vec2::from_angle(0.03 + (n as f32 + part) * 0.103);
-        let corners = [tip, at(0.0), at(0.42)].map(|corner| corner.extend(0.5).extend(1.0));
-        let (low, high) = (Vec3::new(242.0, 160.0, 40.0), Vec3::new(40.0, 130.0, 200.0));
-        canvas.fill(State::OFF, corners, [low.midpoint(high), low, high], |fragment| {
-            let [r, g, b] = fragment.varying.to_array().map(|channel| channel.round() as u8);
-            Some(Color::rgb(r, g, b))
+    let tip = Vec2::new(-9.0, -9.0);
+    for n in 0..13 {
+        let at = |part: f32| tip + 66.0 * Vec2::from_angle(0.08 + (n as f32 + part) * 0.11);
+        let corners = [tip, at(0.0), at(0.45)].map(|corner| corner.extend(0.5).extend(1.0));
+        canvas.fill(State::OFF, corners, [0.5, 0.0, 1.0], |fragment| {
+            let (orange, blue) = (Vec3::new(236.0, 140.0, 30.0), Vec3::new(40.0, 120.0, 190.0));
+            let texel = |u: f32| orange.lerp(blue, u).to_array().map(|channel| channel as u8);
+            let strip = (0.0..=1.0).contains(&fragment.varying);
+            let [r, g, b] = texel(fragment.varying);
+            Some(if strip { Color::rgb(r, g, b) } else { Color::WHITE })
         });
     }
     canvas.resolve(resolve, &mut image);
@@ -364,10 +410,8 @@ fn shaded_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
 
 fn centre() -> anyhow::Result<Drawing> {
     const SIZE: [u16; 2] = [49, 44];
-    let pictures = [
-        shaded_fan::<Multisampled<16, Compressed<16>, PerCenter>>(SIZE),
-        shaded_fan::<Sixteen>(SIZE),
-    ];
+    let pictures =
+        [striped_fan::<Multisampled<16, Compressed<16>, PerCenter>>(SIZE), striped_fan::<Sixteen>(SIZE)];
     rows_of(&[pictures.iter().map(|image| enlarged(image, 9)).collect()])
 }
 
@@ -405,9 +449,18 @@ fn frond<C: Canvas<Stencil = ()>>(
     let shader = Filtered { uniforms, texture: &texture, filter: Trilinear, lighting: Flat, size };
     let mut canvas = C::new([width, height].map(usize::from), alpha_to_coverage);
     canvas.clear(WALL);
-    triangles(&shader, &mesh, Cull::None, Clipping::GuardBand, canvas.size(), |constant, corners, varyings| {
-        canvas.fill(state, corners, varyings, |fragment| shader.fragment(constant, fragment).and_then(&cut));
-    });
+    triangles(
+        &shader,
+        &mesh,
+        Cull::None,
+        Clipping::GuardBand,
+        canvas.size(),
+        |constant, corners, varyings| {
+            canvas.fill(state, corners, varyings, |fragment| {
+                shader.fragment(constant, fragment).and_then(&cut)
+            });
+        },
+    );
     let mut image = Image::new(width, height, Format::Rgb);
     canvas.resolve(resolve, &mut image);
     Ok(image)
@@ -430,6 +483,7 @@ fn whole() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 440;
     let head = Head::new()?;
     let mut canvas = Sixteen::new([SIDE.into(); 2], false);
+    canvas.clear(NIGHT);
     head.draw(&mut canvas, |_, _| {});
     let mut seen = Image::new(SIDE, SIDE, Format::Rgb);
     canvas.resolve(resolve, &mut seen);
@@ -461,7 +515,7 @@ fn thin() -> anyhow::Result<Drawing> {
 /// The tip of a fan of thin triangles.
 fn fans() -> anyhow::Result<Drawing> {
     const SIZE: [u16; 2] = [37, 37];
-    let surfaces = wheel(Vec2::new(3.2, 2.7), 90.0, (96, 0.5), GROUND);
+    let surfaces = wheel(Vec2::new(-2.8, -3.3), 90.0, (44, 0.33), GROUND);
     let scene = Scene::of(&surfaces, NIGHT);
     let picture = |row: &Method<Draw>| Ok(enlarged(&by_method(row.name, &scene, SIZE)?, 8));
     let pictures: anyhow::Result<Vec<Image>> = METHODS.iter().map(picture).collect();
@@ -470,19 +524,15 @@ fn fans() -> anyhow::Result<Drawing> {
 }
 
 /// A wheel's samples, and what is made of them: right, and wrong.
-fn wheels(
-    [background, color]: [Color; 2],
-    wrong: impl Fn(&[Color]) -> Color,
-) -> anyhow::Result<Drawing> {
+fn wheels([background, color]: [Color; 2], wrong: impl Fn(&[Color]) -> Color) -> anyhow::Result<Drawing> {
     const SIDE: u16 = 63;
     let surfaces = wheel(Vec2::splat(31.3), 29.0, (18, 0.4), color);
     let mut canvas = Multisampled::<16, Samples<16>>::new([SIDE.into(); 2], false);
     let mut right = Image::new(SIDE, SIDE, Format::Rgb);
     Scene::of(&surfaces, background).draw_to(&right, &mut canvas);
     canvas.resolve(resolve, &mut right);
-    let wrong = painted(SIDE, SIDE, |x, y| {
-        wrong(canvas.colors.colors(y as usize * usize::from(SIDE) + x as usize))
-    });
+    let wrong =
+        painted(SIDE, SIDE, |x, y| wrong(canvas.colors.colors(y as usize * usize::from(SIDE) + x as usize)));
     rows_of(&[[right, wrong].map(|image| enlarged(&image, 7)).into()])
 }
 

@@ -2,8 +2,10 @@
 
 #[cfg(test)]
 mod answers;
+#[cfg(feature = "measure")]
+pub(crate) mod charts;
 pub(crate) mod figures;
-mod sketches;
+pub(crate) mod sketches;
 
 use crate::lessons::Lesson;
 
@@ -14,5 +16,5 @@ pub(crate) const LESSON: Lesson = Lesson {
     more_pictures: &[],
     figures: figures::FIGURES,
     #[cfg(feature = "measure")]
-    charts: &[],
+    charts: &[charts::METHODS_CHART, charts::RESOLVES_CHART, charts::STORAGES_CHART],
 };

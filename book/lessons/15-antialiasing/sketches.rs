@@ -16,7 +16,7 @@ fn standard(samples: usize) -> Places {
 }
 
 /// The middles of 4×4 squares.
-pub(super) fn grid() -> Places {
+pub(crate) fn grid() -> Places {
     (0..16).map(|n| [2 + 4 * (n % 4), 2 + 4 * (n / 4)]).collect()
 }
 
@@ -131,7 +131,7 @@ pub(super) fn levels() -> anyhow::Result<Drawing> {
 }
 
 pub(super) fn centroid() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new((-17.0, -2.0), (27.0, 18.6));
+    let mut sheet = Sheet::new((-13.0, -0.5), (31.0, 17.6));
     // In 1/16 px, as the places are.
     let corners = [Vec2::new(-12.0, 9.0), Vec2::new(24.5, 10.5), Vec2::new(20.0, 17.2)];
     sheet.rectangle((0.0, 0.0), (16.0, 16.0), PALE, GREY);
@@ -147,8 +147,13 @@ pub(super) fn centroid() -> anyhow::Result<Drawing> {
     sheet.line((8.0, 8.0), mean, BLACK, 1.6);
     sheet.dot((8.0, 8.0), ORANGE);
     sheet.dot(mean, GREEN);
-    sheet.text((8.0, 5.6), "centre", ORANGE);
-    sheet.text(mean + Vec2::new(-0.4, 2.2), "centroid", GREEN);
-    sheet.text_right_of((16.8, 3.0), &format!("{} of 16", covered().count()), BLUE);
+    for (height, ink, words) in [
+        (6.4, ORANGE, "centre".to_string()),
+        (3.8, BLUE, format!("{} of 16", covered().count())),
+        (1.2, GREEN, "centroid of these".to_string()),
+    ] {
+        sheet.dot((17.4, height), ink);
+        sheet.text_right_of((18.4, height), &words, ink);
+    }
     sheet.finish()
 }
