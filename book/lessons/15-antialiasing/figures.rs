@@ -28,7 +28,7 @@ use shaders::lighting::Flat;
 use shaders::shader::Shader;
 use zbuffer::Surface;
 
-use super::sketches::{centroid, heights, levels, patterns, shoelace};
+use super::sketches::{centroid, heights, levels, patterns, row, shoelace};
 use crate::figures::picture::{method, model, painted, paste, texture};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::lighting::figures::{SEEN, camera};
@@ -116,6 +116,12 @@ pub(crate) const FIGURES: &[Figure] = &[
         "antialiasing-whole",
         "A head, and a map of its pixels: pale where a pixel keeps one colour, dark along outlines and the sides of triangles.",
         whole,
+    ),
+    Figure::new(
+        "antialiasing-row",
+        "A row of pixels with four samples each, and a slanted strip across them. Below, for each sample, a bar from the first pixel \
+         in which it is covered to the last one; two dashed lines mark what all four have in common.",
+        row,
     ),
     Figure::new(
         "antialiasing-thin",

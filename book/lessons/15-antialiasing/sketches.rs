@@ -157,3 +157,47 @@ pub(super) fn centroid() -> anyhow::Result<Drawing> {
     }
     sheet.finish()
 }
+
+pub(super) fn row() -> anyhow::Result<Drawing> {
+    const WIDTH: i32 = 13;
+    let at = |x: f32, y: f32| Vec2::new(x, y);
+    let mut sheet = Sheet::new((-0.6, -3.1), (WIDTH as f32 + 0.4, 2.1));
+    // A triangle whose sides cross the row aslant.
+    let corners = [at(-0.8, -0.9), at(13.9, -0.55), at(8.0, 2.6)];
+    let inside = |height: f32| {
+        let cross = |from: Vec2, to: Vec2| from.lerp(to, (height - from.y) / (to.y - from.y));
+        [cross(corners[0], corners[2]), cross(corners[1], corners[2])]
+    };
+    let ([a, b], [d, c]) = (inside(0.0), inside(1.0));
+    sheet.polygon(&[a, b, c, d], AMBER, "none");
+    for x in 0..WIDTH {
+        let low = at(x as f32, 0.0);
+        sheet.rectangle(low, low + 1.0, "none", GREY);
+    }
+    sheet.line(a, d, BLACK, 1.8);
+    sheet.line(b, c, BLACK, 1.8);
+    let places = standard(4);
+    let masks: Vec<u32> = (0..WIDTH).map(|x| coverage(corners, IVec2::new(x, 0), &places)).collect();
+    let mut spans = Vec::new();
+    for (s, &place_of) in places.iter().enumerate() {
+        let covered = |x: &i32| masks[*x as usize] >> s & 1 == 1;
+        for x in 0..WIDTH {
+            let ink = if covered(&x) { BLUE } else { GREY };
+            sheet.dot(at(x as f32, 0.0) + place(place_of) / 16.0, ink);
+        }
+        let first = (0..WIDTH).find(covered).unwrap_or(0);
+        let end = (0..WIDTH).rev().find(covered).map_or(0, |last| last + 1);
+        spans.push((first, end));
+        let height = -0.55 - 0.55 * s as f32;
+        sheet.line(at(first as f32 + 0.08, height), at(end as f32 - 0.08, height), BLUE, 6.0);
+        sheet.text_left_of(at(-0.2, height), &s.to_string(), GREY);
+    }
+    let first = spans.iter().map(|span| span.0).max().unwrap_or(0) as f32;
+    let end = spans.iter().map(|span| span.1).min().unwrap_or(0) as f32;
+    for x in [first, end] {
+        sheet.dashed(at(x, -2.5), at(x, 1.5), ORANGE, 2.0);
+    }
+    sheet.text(at((first + end) / 2.0, 1.75), "covered whole", ORANGE);
+    sheet.text(at((first + end) / 2.0, -2.85), "from the first to the last pixel of each sample", GREY);
+    sheet.finish()
+}

@@ -60,7 +60,8 @@ fn measure(run: &mut Run) -> anyhow::Result<()> {
             value: three_digits(quality(&places, angle).rms),
         }));
     }
-    let path = |name: &str| run.folder.join(name).with_extension("csv");
+    let folder = run.folder.clone();
+    let path = |name: &str| folder.join(name).with_extension("csv");
     write_points(&points, ["pattern", "angle", "levels"], &path(COMPARISON.name))?;
 
     let counts = Head::new()?.counts(SIDE);
