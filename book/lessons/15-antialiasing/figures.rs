@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ::triangles::barycentric::weights;
 use antialiasing::multisampled::{Multisampled, PerCenter};
-#[cfg(feature = "measure")]
+use antialiasing::cover::{fan, magnify};
 use antialiasing::scene::World;
 use antialiasing::storage::{Compressed, Samples, Storage};
 use antialiasing::{Canvas, Draw, METHODS, RESOLVES, Scene, coverage, pattern, resolve};
@@ -31,9 +31,15 @@ use zbuffer::Surface;
 use super::sketches::{centroid, heights, levels, patterns, row, shoelace};
 use crate::figures::picture::{method, model, painted, paste, texture};
 use crate::figures::{Drawing, Figure};
-use crate::lessons::lighting::figures::{SEEN, camera};
+use crate::lessons::lighting::figures::{SEEN, Seen, camera};
 
 pub(crate) const FIGURES: &[Figure] = &[
+    Figure::new(
+        "antialiasing-head",
+        "A head before a night sky with thin rays of gold and rose behind it. In the lower corners a part of it, enlarged: on the \
+         left its outline is a flight of stairs and the rays break up, on the right both are smooth.",
+        head,
+    ),
     Figure::new(
         "antialiasing-shares",
         "A slanted line across two rows of large pixels. Above, each pixel is black or white; below, those that the line runs \
@@ -307,9 +313,13 @@ pub(crate) struct Head {
 
 impl Head {
     pub(crate) fn new() -> anyhow::Result<Self> {
+        Self::seen(SEEN, PointLight::default())
+    }
+
+    fn seen(seen: Seen, light: PointLight) -> anyhow::Result<Self> {
         let loaded = Loaded::new(model()?, texture()?, textures::Wrap::Clamp);
         let mipmap = *method(MIPMAPS, "box-linear")?;
-        let view = View { to_clip: camera(SEEN)?, eye: SEEN.0, light: PointLight::default() };
+        let view = View { to_clip: camera(seen)?, eye: seen.0, light };
         Ok(Self { model: Filterable::new(loaded, mipmap, Wrap::Clamp), view })
     }
 
@@ -318,7 +328,6 @@ impl Head {
     }
 
     /// What of the world a scene has.
-    #[cfg(feature = "measure")]
     pub(crate) fn world<'a>(&self, entities: &'a [Entity<'a>]) -> World<'a> {
         World { entities, view: self.view, cull: Cull::Back }
     }
@@ -369,6 +378,19 @@ impl Head {
             },
         );
     }
+}
+
+/// The lesson's picture, as its program draws it.
+fn head() -> anyhow::Result<Drawing> {
+    const SIDE: u16 = 800;
+    let light = PointLight { position: Vec3::new(-2.0, 2.5, 2.0), ambient: 0.12, ..PointLight::default() };
+    let head = Head::seen((Vec3::new(3.1, 0.25, 1.0), Vec3::ZERO, 45.0), light)?;
+    let entities = [head.entity()];
+    let rays = fan(Vec2::splat(SIDE.into()));
+    let scene = Scene { world: Some(head.world(&entities)), ..Scene::of(&rays, Color::BLACK) };
+    let mut picture = by_method("msaa-16", &scene, [SIDE; 2])?;
+    magnify(&by_method("none", &scene, [SIDE; 2])?, &mut picture);
+    Ok(Drawing::Pixels(picture, 1))
 }
 
 /// How often each pixel of a square picture of the head is shaded, by this canvas.
