@@ -17,7 +17,7 @@ pub const DEFAULT_MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/
 pub const DEFAULT_TEXTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga");
 
 /// `--model` and `--fit`.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 pub struct ModelFlag {
     /// The model to draw, an OBJ file; without FILE the course's own. What lies between -1 and 1 is in view
     #[arg(id = "model", long = "model", value_name = "FILE", num_args = 0..=1, default_missing_value = DEFAULT_MODEL)]
@@ -149,7 +149,7 @@ fn rounded(number: f64) -> String {
 }
 
 /// `--model` and `--texture`.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 pub struct TexturedModelFlags {
     #[command(flatten)]
     model: ModelFlag,
@@ -191,6 +191,25 @@ impl TexturedModelFlags {
             }
         };
         Ok((model, texture))
+    }
+
+    /// As [`read_about`](Self::read_about), where a lesson draws another model than the head unless told otherwise, with
+    /// another texture.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_instead(
+        &self,
+        [model, texture]: [&str; 2],
+        origin: DVec3,
+        wanted: Attributes,
+    ) -> anyhow::Result<(Model, Image)> {
+        if self.is_given() {
+            return self.read_about(origin, wanted);
+        }
+        let texture = self.texture.clone().or_else(|| Some(texture.into()));
+        let model = ModelFlag { file: Some(model.into()), fit: self.model.fit };
+        Self { model, texture }.read_about(origin, wanted)
     }
 
     /// Reads the model alone, for a picture that needs no texture: whether there is one is not looked at.

@@ -24,7 +24,7 @@ use crate::surface::Smooth;
 /// Steps of diffuse light.
 const STEPS: f32 = 4.0;
 
-/// How far vertices are moved, in units of the world.
+/// How far vertices are moved for the outline, in units of the world.
 pub const WIDTH: f32 = 0.01;
 
 /// Blinn's model of reflection, its diffuse light cut down to the nearest lower of a few steps, as by lesson 9's
@@ -54,19 +54,20 @@ impl Reflection for Toon {
 }
 // ANCHOR_END: toon
 
-/// The mesh in black, its vertices moved along their normals in the world.
+/// The mesh in one colour, its vertices moved along their normals in the world.
 pub struct Swollen<'a> {
     scene: Scene<'a>,
+    color: Color,
     /// By how much each vertex is moved, in the model's space.
     moves: Vec<Vec3>,
 }
 
 impl<'a> Swollen<'a> {
-    /// For a scene. Where corners meet they move together, along the sum of their normals, and the outline has no gap; where
-    /// that is 0 they stay.
+    /// For a scene, moved by a width in units of the world. Where corners meet they move together, along the sum of their
+    /// normals, and the outline has no gap; where that is 0 they stay.
     // ANCHOR: swollen
     #[must_use]
-    pub fn new(scene: &Scene<'a>) -> Self {
+    pub fn new(scene: &Scene<'a>, width: f32, color: Color) -> Self {
         let model = scene.uniforms.model;
         let mut sums = vec![Vec3::ZERO; model.positions().len()];
         for (face, triangle) in model.triangles().iter().enumerate() {
@@ -76,8 +77,8 @@ impl<'a> Swollen<'a> {
         }
         // M⁻¹ is the transpose of what turns normals.
         let to_model = scene.normals_to_world.transpose();
-        let moves = sums.into_iter().map(|sum| to_model * (unit(sum).unwrap_or_default() * WIDTH));
-        Self { scene: *scene, moves: moves.collect() }
+        let moves = sums.into_iter().map(|sum| to_model * (unit(sum).unwrap_or_default() * width));
+        Self { scene: *scene, color, moves: moves.collect() }
     }
     // ANCHOR_END: swollen
 }
@@ -104,7 +105,7 @@ impl Shader for Swollen<'_> {
 
     #[inline]
     fn fragment(&self, (): (), _: Fragment<()>) -> Option<Color> {
-        Some(Color::BLACK)
+        Some(self.color)
     }
 }
 
@@ -112,7 +113,7 @@ impl Shader for Swollen<'_> {
 pub fn draw(scene: &Scene, mesh: &Mesh, cull: Cull, image: &mut Image) -> Drawn {
     image.buffer_mut().fill(u8::MAX);
     let mut target = Framebuffer::new(image, ZF32);
-    let (outline, body) = (Swollen::new(scene), PerPixel::<Toon>::new(scene, Smooth));
+    let (outline, body) = (Swollen::new(scene, WIDTH, Color::BLACK), PerPixel::<Toon>::new(scene, Smooth));
     let mut counts = render(&outline, mesh, Cull::Front, Clipping::GuardBand, &mut target);
     counts += render(&body, mesh, cull, Clipping::GuardBand, &mut target);
     Drawn { depths: target.depths, counts }

@@ -17,6 +17,7 @@
 
 pub mod blend;
 pub mod compare;
+pub mod crates;
 pub mod cutout;
 pub mod depth;
 pub mod division;
@@ -25,10 +26,13 @@ pub mod glass;
 pub mod lamp;
 pub mod logic;
 pub mod mask;
+pub mod mirror;
+pub mod outline;
 pub mod outputs;
 pub mod plain;
 pub mod scene;
 pub mod scissor;
+pub mod sheet;
 pub mod space;
 pub mod state;
 pub mod stencil;
@@ -36,7 +40,9 @@ pub mod target;
 pub mod translucent;
 pub mod transparency;
 
-use clipping::Drawn;
+use std::marker::PhantomData;
+
+use clipping::{Counts, Cull, Drawn};
 use common::{Bounds, Color, Image, Lesson, Method, Table};
 use zbuffer::Surface;
 
@@ -78,12 +84,19 @@ pub const LESSON: Lesson = Lesson {
 pub type AnyState<D = TwoShift> =
     State<Option<Bounds>, Option<StencilTest>, DepthTest, BlendOrLogic<D>, WriteMask>;
 
+/// A framebuffer under such a state.
+pub type AnyFramebuffer<'a> = Framebuffer<'a, AnyState>;
+
 /// One way to divide, and what it is compiled into.
 pub struct Divide {
-    /// Draws triangles in the window over a picture, under any state, from the stencil given to the one left behind.
-    pub triangles: fn(&[Surface], &AnyState, &mut Vec<u8>, &mut Image),
     /// Draws entities over a picture, the opaque ones first; compiled for just this, it is timed.
     pub entities: fn(&[Entity], &View, &mut Image) -> Drawn,
+    /// Draws entities as they come, under any state, which the framebuffer has.
+    pub entities_under: for<'a> fn(AnyFramebuffer<'a>, &[Entity], &View) -> (AnyFramebuffer<'a>, Counts),
+    /// Draws triangles in the window likewise.
+    pub triangles_under: for<'a> fn(AnyFramebuffer<'a>, &[Surface]) -> AnyFramebuffer<'a>,
+    /// A layer over what is there, source and destination.
+    pub over: fn(Color, Color) -> Color,
     /// What lies between two channels, source and destination: so many 255ths of the source, the rest of the destination.
     pub mix: fn(u8, u8, u8) -> u8,
 }
@@ -91,21 +104,31 @@ pub struct Divide {
 impl Divide {
     const fn new<D: Division>() -> Self {
         Self {
-            triangles: triangles::<D>,
             entities: |entities, view, image| scene::draw(entities, view, Over(D::default()), image),
+            entities_under: |target, entities, view| {
+                let mut target = divided::<TwoShift, D>(target);
+                let mut counts = Counts::default();
+                for entity in entities {
+                    counts += entity.draw(view, Cull::Back, &mut target);
+                }
+                (divided(target), counts)
+            },
+            triangles_under: |target, surfaces| {
+                let mut target = divided::<TwoShift, D>(target);
+                plain::draw(surfaces, &mut target);
+                divided(target)
+            },
+            over: |source, destination| Over(D::default()).color(source, destination),
             mix: D::mix,
         }
     }
 }
 
-/// Draws triangles in the window under any state, by one way to divide.
-fn triangles<D: Division>(surfaces: &[Surface], state: &AnyState, stencils: &mut Vec<u8>, image: &mut Image) {
-    let &State { scissor, stencil, depth, blend: BlendOrLogic { blend, logic, .. }, mask } = state;
-    let blend = BlendOrLogic::<D> { blend, logic, division: Default::default() };
-    let mut target = Framebuffer::new(image, State { scissor, stencil, depth, blend, mask });
-    target.stencils.clone_from(stencils);
-    plain::draw(surfaces, &mut target);
-    *stencils = target.stencils;
+/// A framebuffer under the same state, which divides in another way.
+fn divided<D: Division, E: Division>(target: Framebuffer<AnyState<D>>) -> Framebuffer<AnyState<E>> {
+    let State { scissor, stencil, depth, blend: BlendOrLogic { blend, logic, .. }, mask } = target.state;
+    let blend = BlendOrLogic { blend, logic, division: PhantomData };
+    target.under(State { scissor, stencil, depth, blend, mask })
 }
 
 /// The ways to divide by 255, from the first idea to the last.

@@ -5,6 +5,7 @@ use common::{Color, Image, Mat4, Vec2, Vec3};
 use filtering::filter::Trilinear;
 use filtering::scene::Filterable;
 use filtering::shader::Filtered;
+use lighting::toon::Swollen;
 use lighting::{PointLight, Scene};
 use shaders::target::Target;
 use transforms::normal_matrix;
@@ -42,22 +43,29 @@ pub struct Entity<'a> {
 pub type EntityShader<'a> = Translucent<Filtered<'a, Trilinear, Lamp<'a>>>;
 
 impl<'a> Entity<'a> {
-    /// Its shader, in a picture of that size. `None` where its place flattens it.
+    /// It as lesson 12 sees it. `None` where its place flattens it.
     #[must_use]
-    pub fn shader(&self, view: &View, size: Vec2) -> Option<EntityShader<'a>> {
-        let filtering::Surface { uniforms, texture, .. } =
-            self.model.surface(Vec3::ZERO, view.to_clip * self.to_world);
+    pub fn scene(&self, view: &View) -> Option<Scene<'a>> {
+        let uniforms = self.model.surface(Vec3::ZERO, view.to_clip * self.to_world).uniforms;
         let normals_to_world = normal_matrix(&self.to_world)?;
         let &View { eye, light, .. } = view;
-        let scene = Scene { uniforms, to_world: self.to_world, normals_to_world, eye, light };
-        let shader = Filtered { uniforms, texture, filter: Trilinear, lighting: Lamp::new(scene), size };
-        Some(Translucent { shader, alpha: self.alpha, vertices: () })
+        Some(Scene { uniforms, to_world: self.to_world, normals_to_world, eye, light })
     }
 
     /// Its vertices and triangles.
     #[must_use]
     pub fn mesh(&self) -> &'a Mesh {
         self.model.surface(Vec3::ZERO, Mat4::IDENTITY).mesh
+    }
+
+    /// Its shader, in a picture of that size. `None` where its place flattens it.
+    #[must_use]
+    pub fn shader(&self, view: &View, size: Vec2) -> Option<EntityShader<'a>> {
+        let scene = self.scene(view)?;
+        let texture = self.model.surface(Vec3::ZERO, Mat4::IDENTITY).texture;
+        let lighting = Lamp::new(scene);
+        let shader = Filtered { uniforms: scene.uniforms, texture, filter: Trilinear, lighting, size };
+        Some(Translucent { shader, alpha: self.alpha, vertices: () })
     }
 
     fn is_opaque(&self) -> bool {
@@ -69,6 +77,18 @@ impl<'a> Entity<'a> {
         let size = (target.bounds().max + 1).as_vec2();
         let Some(shader) = self.shader(view, size) else { return Counts::default() };
         render(&shader, self.mesh(), cull, Clipping::GuardBand, target)
+    }
+
+    /// Draws its shape in one colour, swollen by so much of the world's units.
+    pub fn draw_shape(
+        &self,
+        color: Color,
+        width: f32,
+        view: &View,
+        target: &mut impl Target<Color>,
+    ) -> Counts {
+        let Some(scene) = self.scene(view) else { return Counts::default() };
+        render(&Swollen::new(&scene, width, color), self.mesh(), Cull::Back, Clipping::GuardBand, target)
     }
 }
 

@@ -15,6 +15,7 @@
 //! set where sample s is meant.
 
 pub mod alpha;
+pub mod area;
 pub mod canvas;
 pub mod coverage;
 pub mod multisampled;
@@ -28,6 +29,7 @@ use clipping::Counts;
 use common::{Image, Lesson, Method, Table};
 use zbuffer::DepthBuffer;
 
+use area::Area;
 use multisampled::{Multisampled, PerPixel, PerSample};
 use ordered::Ordered;
 use storage::{Compressed, Samples};
@@ -122,6 +124,12 @@ pub const METHODS: &[Method<Draw>] = &[
         run: Draw::to::<Multisampled<16, Compressed<16>>>(16),
         promise: "sixteen samples, shaded once a pixel: edges as ssaa-16 has them",
         failure: "what is thinner than the gaps between samples; textures and highlights stay as they are; 16 depths a pixel",
+    },
+    Method {
+        name: "area",
+        run: Draw::to::<Area>(1),
+        promise: "the exact share of the pixel, however thin, by cutting the triangle to the pixel's square; opaque only",
+        failure: "a share has no place: at a common side up to a quarter of what is behind shines through, hidden things too",
     },
 ];
 

@@ -71,7 +71,12 @@ impl Triangle {
     /// The weights of the three corners at a pixel's centre: exact, then rounded. NaN without area.
     #[must_use]
     pub fn weights(&self, x: i32, y: i32) -> [f64; 3] {
-        let p = center(x, y);
+        self.weights_at(center(x, y))
+    }
+
+    /// The weights of the three corners at a point, in 1/256 px: exact, then rounded. NaN without area.
+    #[must_use]
+    pub fn weights_at(&self, p: [i128; 2]) -> [f64; 3] {
         let [a, b, c] = self.0;
         let whole = doubled_area(a, b, c) as f64;
         [doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)].map(|part| part as f64 / whole)

@@ -18,6 +18,7 @@
 //! | [`ray`] | what a ray from an eye meets, in `f64` |
 //! | [`camera`] | a frustum's matrix, and the distance of a depth, in `f64` |
 //! | [`footprint`] | what a pixel sees of a textured plane, in `f64`, with as many rays as wanted |
+//! | [`samples`] | what each sample of a pixel sees of several triangles, in `i128` and `f64` |
 //! | [`edge`] | how well the samples of a pixel show an edge, by its angle, in `f64` |
 //! | [`box_filter`] | the mean of all that is seen in a pixel, by cutting what is nearer out of what is farther, in `f64` |
 //! | [`layers`] | the transparent layers of a pixel, sorted, in `f64`, and each rounded in whole numbers |
@@ -40,6 +41,7 @@ pub mod layers;
 pub mod matrix;
 pub mod picture;
 pub mod ray;
+pub mod samples;
 pub mod segment;
 pub mod sphere;
 pub mod supersampled;

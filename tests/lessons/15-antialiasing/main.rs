@@ -1,3 +1,9 @@
 //! Lesson 15: what its methods draw, where they fail, what its program is asked.
 
+mod area;
+mod centroid;
+mod edges;
+mod properties;
+mod scenes;
 mod shading;
+mod stability;

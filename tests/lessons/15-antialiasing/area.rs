@@ -1,0 +1,162 @@
+//! The share of each pixel that `area` finds, against rational numbers.
+
+use antialiasing::area::{area, clipped, fill};
+use checks::area::area as exact;
+use common::{Bounds, IVec2, Vec2, Vec3};
+use proptest::prelude::*;
+use verify::window;
+
+const SIDE: i32 = 24;
+
+/// What cuts, rounded to `f32`, may move in a picture 24 px wide: 2⁻²⁰ px at each of four sides.
+const SLACK: f64 = 4e-6;
+
+/// Corners about the window: anywhere, on whole pixels, on 1/256 px.
+fn corner() -> impl Strategy<Value = Vec2> {
+    let coordinate = || {
+        prop_oneof![
+            -8.0f32..32.0,
+            (-8..32).prop_map(|n| n as f32),
+            (-2048..8192).prop_map(|n| n as f32 / 256.0)
+        ]
+    };
+    (coordinate(), coordinate()).prop_map(Vec2::from)
+}
+
+/// Corners up to 8 million px away.
+fn far_corner() -> impl Strategy<Value = Vec2> {
+    let coordinate = || {
+        let scale = prop_oneof![Just(1e2f32), Just(1e4), Just(1e5), Just(1e6), Just(8e6)];
+        prop_oneof![(scale, -1.0f32..1.0).prop_map(|(scale, c)| scale * c), -8.0f32..32.0]
+    };
+    (coordinate(), coordinate()).prop_map(Vec2::from)
+}
+
+/// The share of each pixel of the window, rows from the bottom; and the weights there.
+fn shares(corners: [Vec2; 3]) -> Vec<(f64, Vec3)> {
+    let mut all = vec![(0.0, Vec3::ZERO); (SIDE * SIDE) as usize];
+    fill(corners, window(SIDE, SIDE), |x, y, share, weights| {
+        let pixel = &mut all[(y * SIDE + x) as usize];
+        assert!(pixel.0 == 0.0 && share > 0.0, "({x}, {y}) twice, or for nothing");
+        *pixel = (share, weights);
+    });
+    all
+}
+
+fn pixels() -> impl Iterator<Item = (i32, i32)> {
+    (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Every pixel's share is its area, and what is left out is as good as nothing.
+    #[test]
+    fn shares_are_areas(corners in prop_oneof![[corner(), corner(), corner()], [far_corner(), far_corner(), far_corner()]]) {
+        let shares = shares(corners);
+        for (x, y) in pixels() {
+            let (share, weights) = shares[(y * SIDE + x) as usize];
+            let exact = exact(corners, x, y);
+            prop_assert!((share - exact).abs() < SLACK, "({x}, {y}): {share}, not {exact}");
+            // A pixel by itself is the same but for pixels that are covered whole, which are not cut at all.
+            let alone = area(corners, IVec2::new(x, y));
+            prop_assert!(share == alone || (share == 1.0 && (alone - 1.0).abs() < SLACK), "({x}, {y}): {share}, {alone}");
+            let [low, high] = [weights.min_element(), weights.max_element()];
+            prop_assert!(share == 0.0 || (low >= -1e-5 && high <= 1.0 + 1e-5), "({x}, {y}): {weights}");
+            prop_assert!(share == 0.0 || (weights.element_sum() - 1.0).abs() < 1e-5, "({x}, {y}): {weights}");
+        }
+    }
+
+    /// What is linear on the triangle has the same mean in parts as on the whole: a third of each corner.
+    #[test]
+    fn weights_are_those_of_the_centroid(corners in [corner(), corner(), corner()]) {
+        let mut sums = [0.0; 4];
+        fill(corners, Bounds { min: IVec2::splat(-9), max: IVec2::splat(33) }, |_, _, share, weights| {
+            (0..3).for_each(|n| sums[n] += share * f64::from(weights[n]));
+            sums[3] += share;
+        });
+        for n in 0..3 {
+            prop_assert!((sums[n] - sums[3] / 3.0).abs() < 1e-5 * sums[3] + 1e-6, "{sums:?}");
+        }
+    }
+
+    /// Where a pixel is covered whole it is seen as lesson 3 sees it, to the last bit.
+    #[test]
+    fn whole_pixels_are_those_of_lesson_3(corners in [corner(), corner(), corner()]) {
+        let shares = shares(corners);
+        triangles::fill(corners, window(SIDE, SIDE), |x, y, weights| {
+            let (share, own) = shares[(y * SIDE + x) as usize];
+            assert!(share > 0.0 && (share < 1.0 || own == weights), "({x}, {y}): {share}");
+        });
+        for (x, y) in pixels() {
+            prop_assert!(exact(corners, x, y) < 1.0 || shares[(y * SIDE + x) as usize].0 == 1.0, "({x}, {y})");
+        }
+    }
+
+    /// Neither the order of the corners nor the way they run matters, but for rounding.
+    #[test]
+    fn the_order_of_the_corners_does_not_matter(corners in [corner(), corner(), corner()]) {
+        let expected = shares(corners);
+        for order in [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let got = shares(order.map(|n: usize| corners[n]));
+            prop_assert!(expected.iter().zip(&got).all(|(a, b)| (a.0 - b.0).abs() < SLACK), "{order:?}");
+        }
+    }
+
+    /// A part is a convex polygon in the pixel's square, of seven corners at most.
+    #[test]
+    fn a_part_lies_in_its_pixel((a, b, c) in (far_corner(), corner(), corner()), x in -8..32, y in -8..32) {
+        let part = clipped([a, b, c], IVec2::new(x, y));
+        prop_assert!(part.corners().len() <= 7);
+        for corner in part.corners() {
+            let off = [corner.position.x - x as f32, corner.position.y - y as f32];
+            prop_assert!(off.iter().all(|n| (-1e-5..=1.0 + 1e-5).contains(n)), "{corner:?}");
+        }
+    }
+
+    /// Whatever numbers it is given, nothing is drawn outside of the bounds, and nothing panics.
+    #[test]
+    fn nothing_is_drawn_outside(corners in any::<[f32; 6]>(), near in [corner(), corner()]) {
+        let [a, b, c] = [0, 2, 4].map(|n| Vec2::new(corners[n], corners[n + 1]));
+        let bounds = Bounds { min: IVec2::new(3, 2), max: IVec2::new(12, 9) };
+        for corners in [[a, b, c], [a, b, near[0]], [a, near[0], near[1]]] {
+            fill(corners, bounds, |x, y, share, _| {
+                assert!(bounds.contains(x, y) && share > 0.0 && share <= 1.0 + SLACK, "({x}, {y}): {share}");
+            });
+        }
+    }
+}
+
+/// Where it has no area, or a corner is nowhere, a triangle covers nothing; beyond 2⁵² px, too, as in lesson 3.
+#[test]
+fn what_has_no_area_covers_nothing() {
+    let [a, b, c] = [(1.0, 1.0), (9.0, 5.0), (5.0, 3.0)].map(Vec2::from);
+    for corners in [
+        [a, b, c],
+        [a, a, b],
+        [a; 3],
+        [a, b, Vec2::NAN],
+        [a, b, Vec2::new(f32::INFINITY, 0.0)],
+        [a, b, Vec2::new(0.0, 5e15)],
+        // Less than 1/512 px apart.
+        [a, b, a + 0.0015],
+    ] {
+        assert!(shares(corners).iter().all(|pixel| pixel.0 == 0.0), "{corners:?}");
+    }
+    assert!(shares([a, b, Vec2::new(0.0, 4e15)]).iter().any(|pixel| pixel.0 > 0.0));
+}
+
+/// Neighbours cover each pixel once in all: of a square about the window, cut into a fan about any point.
+#[test]
+fn neighbours_add_up_to_the_pixel() {
+    let rim =
+        [(-1.0, -2.0), (13.37, -1.5), (27.0, -2.0), (26.0, 25.0), (9.1, 26.0), (-3.0, 25.0)].map(Vec2::from);
+    for hub in [(7.0, 9.0), (11.3, 20.7), (0.004, 0.004)].map(Vec2::from) {
+        let mut sums = vec![0.0; (SIDE * SIDE) as usize];
+        for n in 0..rim.len() {
+            let triangle = [hub, rim[n], rim[(n + 1) % rim.len()]];
+            shares(triangle).iter().zip(&mut sums).for_each(|(pixel, sum)| *sum += pixel.0);
+        }
+        assert!(sums.iter().all(|sum| (sum - 1.0).abs() < SLACK), "{hub}: {sums:?}");
+    }
+}
