@@ -8,6 +8,8 @@ use crate::figures::Figure;
 #[cfg(feature = "measure")]
 use crate::measuring::table::Chart;
 
+#[path = "../../lessons/15-antialiasing/mod.rs"]
+pub(crate) mod antialiasing;
 #[path = "../../lessons/08-camera/mod.rs"]
 pub(crate) mod camera;
 #[path = "../../lessons/11-clipping/mod.rs"]
@@ -50,6 +52,7 @@ pub const LESSONS: &[Lesson] = &[
     clipping::LESSON,
     lighting::LESSON,
     filtering::LESSON,
+    antialiasing::LESSON,
 ];
 
 /// What the book shows of a lesson.
