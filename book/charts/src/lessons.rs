@@ -8,6 +8,8 @@ use crate::figures::Figure;
 #[cfg(feature = "measure")]
 use crate::measuring::table::Chart;
 
+#[path = "../../lessons/15-antialiasing/mod.rs"]
+pub(crate) mod antialiasing;
 #[path = "../../lessons/14-blending/mod.rs"]
 pub(crate) mod blending;
 #[path = "../../lessons/08-camera/mod.rs"]
@@ -53,6 +55,7 @@ pub const LESSONS: &[Lesson] = &[
     lighting::LESSON,
     filtering::LESSON,
     blending::LESSON,
+    antialiasing::LESSON,
 ];
 
 /// What the book shows of a lesson.
