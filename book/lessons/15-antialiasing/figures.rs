@@ -4,12 +4,11 @@ use std::f32::consts::TAU;
 use std::path::Path;
 
 use ::triangles::barycentric::weights;
-use antialiasing::multisampled::{Multisampled, PerCenter};
 use antialiasing::cover::{fan, magnify};
+use antialiasing::multisampled::{Multisampled, PerCenter};
 use antialiasing::scene::World;
 use antialiasing::storage::{Compressed, Samples, Storage};
 use antialiasing::{Canvas, Draw, METHODS, RESOLVES, Scene, coverage, pattern, resolve};
-use anyhow::Context;
 use blending::cutout::{FERN, WALL};
 use blending::scene::{Entity, View};
 use blending::{Operations, Over, State, TwoShift};
@@ -29,8 +28,9 @@ use shaders::shader::Shader;
 use zbuffer::Surface;
 
 use super::sketches::{centroid, heights, levels, patterns, row, shoelace};
-use crate::figures::picture::{method, model, painted, paste, texture};
+use crate::figures::picture::{method, model, painted, texture};
 use crate::figures::{Drawing, Figure};
+use crate::lessons::filtering::figures::rows_of;
 use crate::lessons::lighting::figures::{SEEN, Seen, camera};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -151,24 +151,6 @@ pub(crate) const FIGURES: &[Figure] = &[
         bytes,
     ),
 ];
-
-/// Between pictures.
-const GAP: i32 = 6;
-
-/// Pictures of one size in rows, one pixel for one.
-fn rows_of(rows: &[Vec<Image>]) -> anyhow::Result<Drawing> {
-    let first = rows.first().and_then(|row| row.first()).context("there is no picture")?;
-    let [width, height] = [first.width(), first.height()];
-    let whole = |side: i32, count: usize| (side * count as i32 + GAP * (count as i32 - 1)) as u16;
-    let mut sheet = Image::new(whole(width, rows[0].len()), whole(height, rows.len()), Format::Rgb);
-    sheet.buffer_mut().fill(96);
-    for (n, row) in rows.iter().rev().enumerate() {
-        for (m, image) in row.iter().enumerate() {
-            paste(image, &mut sheet, [m as i32 * (width + GAP), n as i32 * (height + GAP)]);
-        }
-    }
-    Ok(Drawing::Pixels(sheet, 1))
-}
 
 /// Each pixel so many times as large.
 fn enlarged(image: &Image, times: u16) -> Image {
