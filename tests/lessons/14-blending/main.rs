@@ -5,3 +5,4 @@ mod layers;
 mod order;
 mod products;
 mod spaces;
+mod through;
