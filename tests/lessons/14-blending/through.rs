@@ -95,6 +95,9 @@ struct Glass {
     alphas: Vec<[f32; 3]>,
 }
 
+/// White by its face's number, with an alpha at each corner.
+type Tube<'a> = Translucent<Lit<'a, White, Lamp>, &'a [[f32; 3]]>;
+
 impl Glass {
     fn new() -> Self {
         let needs = Attributes { normals: false, uvs: false };
@@ -107,7 +110,7 @@ impl Glass {
         Self { model, mesh, alphas }
     }
 
-    fn shader(&self, size: Vec2) -> Sieve<Translucent<Lit<'_, White, Lamp>, &[[f32; 3]]>> {
+    fn shader(&self, size: Vec2) -> Sieve<Tube<'_>> {
         let camera = perspective(60.0, size.x / size.y, 0.3, 10.0).unwrap();
         let eye = view(Vec3::new(0.6, 0.3, 0.6), Vec3::new(-0.2, -0.1, 0.0), Vec3::Y).unwrap();
         let uniforms = Uniforms { to_clip: camera * eye, ..Uniforms::new(&self.model) };
