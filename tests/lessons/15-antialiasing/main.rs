@@ -2,6 +2,7 @@
 
 mod area;
 mod centroid;
+mod cost;
 mod edges;
 mod properties;
 mod scenes;
