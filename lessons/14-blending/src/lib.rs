@@ -95,6 +95,8 @@ pub struct Divide {
     pub entities_under: for<'a> fn(AnyFramebuffer<'a>, &[Entity], &View) -> (AnyFramebuffer<'a>, Counts),
     /// Draws triangles in the window likewise.
     pub triangles_under: for<'a> fn(AnyFramebuffer<'a>, &[Surface]) -> AnyFramebuffer<'a>,
+    /// A layer over what is there, source and destination.
+    pub over: fn(Color, Color) -> Color,
     /// What lies between two channels, source and destination: so many 255ths of the source, the rest of the destination.
     pub mix: fn(u8, u8, u8) -> u8,
 }
@@ -116,6 +118,7 @@ impl Divide {
                 plain::draw(surfaces, &mut target);
                 divided(target)
             },
+            over: |source, destination| Over(D::default()).color(source, destination),
             mix: D::mix,
         }
     }

@@ -2,15 +2,18 @@
 
 use std::process::ExitCode;
 
+use blending::blend::BlendStage;
 use blending::crates::CRATE;
+use blending::cutout::{Cutout, FERN};
 use blending::flags::{StateFlags, TriangleFlags};
 use blending::scene::{Entity, View};
-use blending::{Divide, Framebuffer, crates, mirror, outline, plain, sheet};
+use blending::{AnyFramebuffer, Divide, Framebuffer, SPACES, Space, State, TRANSPARENCY, Transparency};
+use blending::{crates, glass, mirror, outline, plain, scene, sheet};
 use camera::flags::{TurntableFlag, ViewFlags};
-use clipping::Drawn;
+use clipping::{Counts, Cull, Drawn};
 use common::program::flags::{DepthFlag, LightFlag};
 use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE, TexturedModelFlags};
-use common::program::{Extras, Output, Program, named, run};
+use common::program::{Extras, Output, Program, UsageError, named, run};
 use common::{Attributes, Color, Format, Image, Lesson, Mat4, Method, Vec2};
 use filtering::scene::Filterable;
 use filtering::{MIPMAPS, Wrap};
@@ -18,6 +21,7 @@ use lighting::flags::PointLightFlags;
 use perspective::flags::CameraFlags;
 use perspective::scene::Loaded;
 use perspective::view;
+use zbuffer::Surface;
 
 /// What the program draws where no triangles are asked for.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -30,6 +34,10 @@ enum Show {
     Mirror,
     /// Colours, normals, distances, and what is made of them.
     Outputs,
+    /// Panes of glass that have no order.
+    Glass,
+    /// A fern that its alpha cuts out, enlarged.
+    Fern,
 }
 
 #[derive(clap::Args)]
@@ -45,6 +53,15 @@ struct Flags {
     /// What to draw instead of the crates
     #[arg(long, value_enum, default_value_t = Show::Crates)]
     show: Show,
+
+    /// The order of what is transparent: drawn, sorted, peeling, list or weighted [default: drawn, for glass list]
+    #[arg(long, value_name = "NAME")]
+    transparency: Option<String>,
+
+    /// What is mixed, codes or light, and how colours are kept: encoded-straight, encoded-premultiplied, linear-straight or
+    /// linear-premultiplied
+    #[arg(long, value_name = "NAME", default_value = "encoded-straight")]
+    space: String,
 
     #[command(flatten)]
     state: StateFlags,
@@ -69,6 +86,10 @@ struct Blending {
     scene: Scene,
     /// Where nothing is drawn.
     stencil: Option<Image>,
+    /// The order of what is transparent, where one is asked for.
+    transparency: Option<Transparency>,
+    /// What is mixed, where it is not what the methods mix.
+    space: Option<Space>,
     flags: Flags,
 }
 
@@ -84,6 +105,9 @@ enum Scene {
     Mirror(Vec<Filterable>, Filterable),
     /// The head and its floor.
     Outputs(Vec<Filterable>),
+    /// Nothing: it is made for each picture's size.
+    Glass,
+    Fern(Cutout),
 }
 
 impl Scene {
@@ -105,6 +129,8 @@ impl Scene {
             Show::Outline => Self::Outline(read(&flags.model, [DEFAULT_MODEL, DEFAULT_TEXTURE])?),
             Show::Mirror => Self::Mirror(on_floor()?, read(&TexturedModelFlags::default(), CRATE)?),
             Show::Outputs => Self::Outputs(on_floor()?),
+            Show::Glass => Self::Glass,
+            Show::Fern => Self::Fern(Cutout::read(FERN)?),
         })
     }
 }
@@ -120,19 +146,32 @@ impl Program for Blending {
     fn load(flags: Flags) -> anyhow::Result<Self> {
         // Refused before a file is read.
         flags.camera.projection(1.0)?;
-        Ok(Self { scene: Scene::read(&flags)?, stencil: flags.state.read_stencil()?, flags })
+        let transparency = flags.transparency.as_deref();
+        let transparency = transparency.map(|name| named(TRANSPARENCY, "transparency", name)).transpose()?;
+        let space = named(SPACES, "space", &flags.space)?;
+        let space = (flags.space != SPACES[0].name).then_some(*space);
+        if flags.state.are_given() && (transparency.is_some() || space.is_some()) {
+            let why = "--transparency and --space lay one layer over another: leave out --scissor, --stencil, --depth-test, \
+                       --blend, --blend-alpha, --equation, --logic and --write-mask";
+            return Err(UsageError(why.into()).into());
+        }
+        let (scene, stencil) = (Scene::read(&flags)?, flags.state.read_stencil()?);
+        Ok(Self { scene, stencil, transparency: transparency.copied(), space, flags })
     }
 
     fn draw(&mut self, method: &Divide, picture: &mut Image) -> anyhow::Result<Extras> {
         let size = picture.size();
         plain::clear_to(picture, self.flags.triangles.background);
         let view = self.view(size)?;
+        // What is as it is unless told otherwise is drawn by what is compiled for just that.
+        let usual = self.transparency.is_none() && self.space.is_none() && !self.flags.state.are_given();
+        let layer = self.space.map_or(Layer::Over(method.over), Layer::In);
         let drawn = match &self.scene {
-            Scene::Triangles => self.draw_under_state(method, &[], &view, picture)?,
-            Scene::Crates(model) if self.flags.state.are_given() => {
-                self.draw_under_state(method, &crates::entities(model), &view, picture)?
+            Scene::Crates(model) if usual => (method.entities)(&crates::entities(model), &view, picture),
+            Scene::Crates(model) => {
+                self.draw_entities(&crates::entities(model), method, layer, &view, picture)?
             }
-            Scene::Crates(model) => (method.entities)(&crates::entities(model), &view, picture),
+            Scene::Triangles => self.draw_triangles(method, layer, picture)?,
             Scene::Outline(head) => outline::draw(&standing(head), &view, LIGHT, picture),
             Scene::Mirror(models, wood) => {
                 let (mirror, world) = mirror::scene(models, wood);
@@ -140,6 +179,14 @@ impl Program for Blending {
             }
             Scene::Outputs(models) => {
                 sheet::draw(&models.iter().map(standing).collect::<Vec<_>>(), &view, picture)
+            }
+            Scene::Glass => {
+                glass::draw(self.transparency.unwrap_or(Transparency::List), layer, picture);
+                return Ok(Extras::default());
+            }
+            Scene::Fern(fern) => {
+                fern.enlarged(&self.space.unwrap_or(SPACES[0].run), picture);
+                return Ok(Extras::default());
             }
         };
         let depth = self.flags.depth.picture(|| drawn.depths.picture_by(|depth| -f64::from(depth)));
@@ -170,29 +217,77 @@ impl Blending {
         Ok(View { to_clip, eye, light: flags.lamp.light(origin) })
     }
 
-    /// Draws entities, and the triangles that were asked for, under the state that the flags describe. The picture gets an
-    /// alpha, which is opaque at first, as destination alphas count.
-    fn draw_under_state(
+    /// Draws entities in one of the orders and spaces, or under the state that the flags describe.
+    fn draw_entities(
         &self,
-        method: &Divide,
         entities: &[Entity],
+        method: &Divide,
+        layer: Layer,
         view: &View,
         picture: &mut Image,
     ) -> anyhow::Result<Drawn> {
-        let Flags { triangles, state, .. } = &self.flags;
-        let mut image = with_alpha(picture);
-        let mut target = Framebuffer::new(&mut image, state.state());
-        if let Some(stencil) = &self.stencil {
-            target.stencils = state.stencils(stencil, picture)?;
+        if !self.flags.state.are_given() {
+            let transparency = self.transparency.unwrap_or(Transparency::Drawn);
+            return Ok(scene::draw_by(transparency, entities, view, Cull::Back, layer, picture));
         }
-        let (target, counts) = (method.entities_under)(target, entities, view);
-        let Framebuffer { depths, .. } = (method.triangles_under)(target, &triangles.triangles);
+        let mut image = with_alpha(picture);
+        let target = self.target(&mut image)?;
+        let (Framebuffer { depths, .. }, counts) = (method.entities_under)(target, entities, view);
         *picture = image;
         Ok(Drawn { depths, counts })
     }
+
+    /// Draws the triangles that were asked for likewise. Under a state they come in the order given, in orders and spaces the
+    /// opaque ones first.
+    fn draw_triangles(&self, method: &Divide, layer: Layer, picture: &mut Image) -> anyhow::Result<Drawn> {
+        let triangles = &self.flags.triangles.triangles;
+        let mut image = with_alpha(picture);
+        let depths = if self.transparency.is_none() && self.space.is_none() {
+            (method.triangles_under)(self.target(&mut image)?, triangles).depths
+        } else {
+            let (opaque, transparent): (Vec<Surface>, Vec<Surface>) =
+                triangles.iter().partition(|surface| surface.color.a == 255);
+            let mut target = Framebuffer::new(&mut image, State::OFF);
+            plain::draw(&opaque, &mut target);
+            let Framebuffer { image, depths, .. } = target;
+            self.transparency.unwrap_or(Transparency::Drawn).draw(&transparent, layer, image, &depths);
+            depths
+        };
+        *picture = image;
+        Ok(Drawn { depths, counts: Counts::default() })
+    }
+
+    /// A picture under the state that the flags describe.
+    fn target<'a>(&self, image: &'a mut Image) -> anyhow::Result<AnyFramebuffer<'a>> {
+        let stencils =
+            self.stencil.as_ref().map(|stencil| self.flags.state.stencils(stencil, image)).transpose()?;
+        let mut target = Framebuffer::new(image, self.flags.state.state());
+        if let Some(stencils) = stencils {
+            target.stencils = stencils;
+        }
+        Ok(target)
+    }
 }
 
-/// A picture with an alpha channel.
+/// How a layer is laid over what is there.
+#[derive(Clone, Copy)]
+enum Layer {
+    /// By one of the ways to divide.
+    Over(fn(Color, Color) -> Color),
+    /// In one of the spaces.
+    In(Space),
+}
+
+impl BlendStage for Layer {
+    fn color(self, source: Color, destination: Color) -> Color {
+        match self {
+            Self::Over(over) => over(source, destination),
+            Self::In(space) => space.color(space.stored(source), destination),
+        }
+    }
+}
+
+/// A picture with an alpha channel, as destination alphas count.
 fn with_alpha(picture: &Image) -> Image {
     let mut image = Image::new(picture.width() as u16, picture.height() as u16, Format::Rgba);
     picture.pixels().for_each(|(x, y, color)| image.set(x, y, color));

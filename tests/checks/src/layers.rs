@@ -85,7 +85,7 @@ impl Pixel {
         })
     }
 
-    /// What the weighted mean of McGuire and Bavoil (2013) shows, by their equation 10, rounded nowhere.
+    /// What the weighted mean of `McGuire` and Bavoil (2013) shows, by their equation 10, rounded nowhere.
     #[must_use]
     pub fn weighted(&self) -> [f64; 4] {
         let (mut sums, mut weights, mut through) = ([0.0; 4], 0.0, 1.0);

@@ -21,7 +21,7 @@ fn scene(transparent: Vec<Pane>) -> Scene {
 }
 
 /// The reference's triangles as the lesson has them.
-pub(crate) fn surfaces(panes: &[Pane]) -> Vec<Surface> {
+fn surfaces(panes: &[Pane]) -> Vec<Surface> {
     panes.iter().map(|&(corners, color)| Surface { corners, color }).collect()
 }
 

@@ -1,7 +1,7 @@
 //! A mean of all layers, which needs no order.
 //!
 //! How much of the background is seen is the product of all 1 − α, in whatever order. What else is seen is a mean of the
-//! layers' colours, each weighted by its α and by how near it is: with n layers, sums instead of a sort (M. McGuire and L.
+//! layers' colours, each weighted by its α and by how near it is: with n layers, sums instead of a sort (M. `McGuire` and L.
 //! Bavoil, *Weighted blended order-independent transparency*, Journal of Computer Graphics Techniques 2, 2013).
 
 use common::{Bounds, Color, Image, Vec4};
@@ -11,7 +11,7 @@ use zbuffer::DepthBuffer;
 use super::Fill;
 
 // ANCHOR: weight
-/// How much a layer counts: α·max(10⁻², 3·10³·(1 − z)³), z its depth in the window, from 0 to 1 (McGuire and Bavoil, equation
+/// How much a layer counts: α·max(10⁻², 3·10³·(1 − z)³), z its depth in the window, from 0 to 1 (`McGuire` and Bavoil, equation
 /// 10). `alpha` is from 0 to 1.
 #[inline]
 #[must_use]
