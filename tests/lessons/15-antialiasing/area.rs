@@ -182,7 +182,11 @@ fn a_quarter_of_the_background_shines_through_a_common_side() {
                 let got = codes(image.get(x, y).unwrap());
                 let leaks = method.name == "area" && x == 4;
                 let expected = if leaks { 255.0 * share * (1.0 - share) } else { 0.0 };
-                assert!((got[0] - expected).abs() <= if leaks { 1.0 } else { 0.0 }, "{}, {k}: {got:?}", method.name);
+                assert!(
+                    (got[0] - expected).abs() <= if leaks { 1.0 } else { 0.0 },
+                    "{}, {k}: {got:?}",
+                    method.name
+                );
             }
         }
     }

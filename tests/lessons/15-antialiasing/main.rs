@@ -8,3 +8,4 @@ mod properties;
 mod scenes;
 mod shading;
 mod stability;
+mod states;
