@@ -8,6 +8,10 @@ use crate::figures::Figure;
 #[cfg(feature = "measure")]
 use crate::measuring::table::Chart;
 
+#[path = "../../lessons/15-antialiasing/mod.rs"]
+pub(crate) mod antialiasing;
+#[path = "../../lessons/14-blending/mod.rs"]
+pub(crate) mod blending;
 #[path = "../../lessons/08-camera/mod.rs"]
 pub(crate) mod camera;
 #[path = "../../lessons/11-clipping/mod.rs"]
@@ -50,6 +54,8 @@ pub const LESSONS: &[Lesson] = &[
     clipping::LESSON,
     lighting::LESSON,
     filtering::LESSON,
+    blending::LESSON,
+    antialiasing::LESSON,
 ];
 
 /// What the book shows of a lesson.

@@ -9,6 +9,7 @@ mod card;
 mod counts;
 mod digits;
 mod draw;
+mod edges;
 mod far;
 mod finding;
 pub(crate) mod finish;
@@ -73,6 +74,7 @@ const COMPARISONS: &[Comparison] = &[
     maps::COMPARISON,
     flight::COMPARISON,
     walks::COMPARISON,
+    edges::COMPARISON,
     needs::COMPARISON,
     head::COMPARISON,
     finish::COMPARISON,

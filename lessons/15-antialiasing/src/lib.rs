@@ -17,6 +17,7 @@
 pub mod alpha;
 pub mod area;
 pub mod canvas;
+pub mod cover;
 pub mod coverage;
 pub mod multisampled;
 pub mod ordered;
@@ -54,6 +55,9 @@ pub const LESSON: Lesson = Lesson {
     ],
 };
 
+/// Draws one scene after the other, and keeps its samples from each to the next: nothing is allocated.
+pub type Frames = Box<dyn FnMut(&Scene, &mut Image) -> Counts>;
+
 /// One way to draw scenes, compiled for just this.
 #[derive(Clone, Copy)]
 pub struct Draw {
@@ -61,15 +65,25 @@ pub struct Draw {
     pub picture: fn(&Scene, &mut Image) -> Counts,
     /// The nearest depth in each pixel of such a picture.
     pub depths: fn(&Scene, &Image) -> DepthBuffer<f32>,
+    /// Draws scenes, with such an alpha, into pictures of one size.
+    pub frames: fn([usize; 2], bool) -> Frames,
     /// How many depths and colours it keeps for each pixel.
     pub samples: usize,
 }
 
 impl Draw {
-    const fn to<C: Canvas<Stencil = ()>>(samples: usize) -> Self {
+    const fn to<C: Canvas<Stencil = ()> + 'static>(samples: usize) -> Self {
         Self {
             picture: |scene, picture| scene.draw::<C>(picture),
             depths: |scene, picture| scene.depths::<C>(picture),
+            frames: |size, alpha_to_coverage| {
+                let mut canvas = C::new(size, alpha_to_coverage);
+                Box::new(move |scene, picture| {
+                    let counts = scene.draw_to(picture, &mut canvas);
+                    canvas.resolve(scene.resolve, picture);
+                    counts
+                })
+            },
             samples,
         }
     }

@@ -6,6 +6,5 @@ mod cost;
 mod edges;
 mod properties;
 mod scenes;
-mod shading;
 mod stability;
 mod states;

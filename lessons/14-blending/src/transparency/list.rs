@@ -86,3 +86,13 @@ impl Target<Color> for Lists<'_> {
     }
 }
 // ANCHOR_END: list
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fragment_takes_as_much_as_the_table_says() {
+        assert_eq!(size_of::<Kept>(), 12);
+    }
+}

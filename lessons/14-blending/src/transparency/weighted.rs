@@ -4,7 +4,7 @@
 //! layers' colours, each weighted by its α and by how near it is: with n layers, sums instead of a sort (M. `McGuire` and L.
 //! Bavoil, *Weighted blended order-independent transparency*, Journal of Computer Graphics Techniques 2, 2013).
 
-use common::{Bounds, Color, Image, Vec4};
+use common::{Bounds, Color, Image, Vec3};
 use shaders::target::Target;
 use zbuffer::DepthBuffer;
 
@@ -31,35 +31,38 @@ pub(super) fn draw(transparent: &[impl Fill], image: &mut Image, depths: &DepthB
     let pixels = (0..image.height()).flat_map(|y| columns.clone().map(move |x| (x, y)));
     for ((x, y), layers) in pixels.zip(&sums.layers) {
         // Where nothing is, or nothing but alphas of 0, there is no mean.
-        if let Some(below) = image.get(x, y).filter(|_| layers.color.w > 0.0) {
+        if let Some(below) = image.get(x, y).filter(|_| layers.weight > 0.0) {
             image.set(x, y, layers.over(below));
         }
     }
 }
 
-/// The layers of a pixel.
+/// The layers of a pixel: 20 bytes.
 #[derive(Clone, Copy)]
 struct Layers {
-    /// The sums of channel · α · weight, from 0 to 255 each, and of α · weight.
-    color: Vec4,
+    /// The sums of channel · α · weight, channels from 0 to 255.
+    color: Vec3,
+    /// The sum of α · weight.
+    weight: f32,
     /// The share of the background that they all let through.
     through: f32,
 }
 
 impl Layers {
-    const NONE: Self = Self { color: Vec4::ZERO, through: 1.0 };
+    const NONE: Self = Self { color: Vec3::ZERO, weight: 0.0, through: 1.0 };
 
     #[inline]
     fn add(&mut self, depth: f32, Color { r, g, b, a }: Color) {
         let alpha = f32::from(a) / 255.0;
-        let channels = Vec4::new(f32::from(r), f32::from(g), f32::from(b), 1.0);
-        self.color += channels * (alpha * weight(depth, alpha));
+        let weight = alpha * weight(depth, alpha);
+        self.color += weight * Vec3::new(r.into(), g.into(), b.into());
+        self.weight += weight;
         self.through *= 1.0 - alpha;
     }
 
     /// The mean of all layers over a colour, rounded to nearest.
     fn over(&self, below: Color) -> Color {
-        let mean = self.color / self.color.w;
+        let mean = self.color / self.weight;
         let mix = |layers: f32, below: u8| (layers + (f32::from(below) - layers) * self.through + 0.5) as u8;
         Color {
             r: mix(mean.x, below.r),
@@ -97,3 +100,20 @@ impl Target<Color> for Sums<'_> {
     }
 }
 // ANCHOR_END: weighted
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_takes_as_much_as_the_table_says() {
+        assert_eq!(size_of::<Layers>(), 20);
+    }
+
+    /// By hand: (1 − ½)³ is an eighth, and far away the least weight counts.
+    #[test]
+    fn the_near_count_more() {
+        assert_eq!([weight(0.5, 1.0), weight(0.5, 0.5), weight(0.0, 1.0)], [375.0, 187.5, 3000.0]);
+        assert_eq!([weight(1.0, 1.0), weight(0.999, 0.5)], [0.01, 0.005]);
+    }
+}
