@@ -1,6 +1,8 @@
 //! Pictures with a fault put in, each beside the right one.
 
 use anyhow::Context;
+use blending::blend::BlendStage;
+use blending::{Blend, Factor};
 use common::{Color, Image, Mat4, Model, Quat, Vec2, Vec3};
 use gouraud::corner_normals;
 use textures::{interpolate, texel};
@@ -9,7 +11,7 @@ use triangles::barycentric::weights;
 use triangles::{flat_intensity, to_screen};
 use zbuffer::{DepthBuffer, fill_nearest};
 
-use crate::figures::picture::{all_beside, beside, canvas, model, painted};
+use crate::figures::picture::{all_beside, beside, canvas, chequered as squares, model, painted};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::filtering::figures::to_the_horizon;
 use crate::lessons::perspective::figures::{ball_before, two_floors, two_triangles};
@@ -87,6 +89,12 @@ pub(crate) const FIGURES: &[Figure] = &[
         "wrong-sparkles",
         "A chequered floor that fades evenly towards the horizon, and the same floor with grains and false patterns there.",
         || all_beside(["trilinear", "nearest"].map(to_the_horizon)),
+    ),
+    Figure::new(
+        "wrong-exchanged",
+        "A solid red disc, a half-solid yellow one and a faint blue one over squares of grey; and the same with the red one gone and \
+         the blue one nearly solid.",
+        exchanged,
     ),
     Figure::new(
         "wrong-aspect",
@@ -335,4 +343,25 @@ fn off_center() -> anyhow::Result<Drawing> {
 
 fn aspect() -> anyhow::Result<Drawing> {
     all_beside([2.0, 1.0].map(ball_before))
+}
+
+fn exchanged() -> anyhow::Result<Drawing> {
+    let ground = squares(11, 11, [Color::gray(0.82), Color::gray(0.96)]).scale(SIDE, SIDE);
+    let discs = [
+        (Vec2::new(165.0, 285.0), Color { a: 255, ..Color::rgb(0xd5, 0x3e, 0x2a) }),
+        (Vec2::new(275.0, 270.0), Color { a: 150, ..Color::rgb(0xf2, 0xb1, 0x34) }),
+        (Vec2::new(215.0, 165.0), Color { a: 60, ..Color::rgb(0x1f, 0x77, 0xb4) }),
+    ];
+    let draw = |blend: Blend| {
+        painted(SIDE, SIDE, |x, y| {
+            let at = Vec2::new(x as f32, y as f32) + 0.5;
+            let covering = discs.iter().filter(|(middle, _)| middle.distance(at) < 105.0);
+            let below = ground.get(x, y).unwrap_or(Color::WHITE);
+            covering.fold(below, |below, &(_, color)| blend.color(color, below))
+        })
+    };
+    let right = Blend::OVER;
+    let mut wrong = right;
+    (wrong.color.source, wrong.color.destination) = (Factor::OneMinusSrcAlpha, Factor::SrcAlpha);
+    beside([&draw(right), &draw(wrong)])
 }

@@ -10,6 +10,8 @@ use crate::measuring::table::Chart;
 
 #[path = "../../lessons/15-antialiasing/mod.rs"]
 pub(crate) mod antialiasing;
+#[path = "../../lessons/14-blending/mod.rs"]
+pub(crate) mod blending;
 #[path = "../../lessons/08-camera/mod.rs"]
 pub(crate) mod camera;
 #[path = "../../lessons/11-clipping/mod.rs"]
@@ -52,6 +54,7 @@ pub const LESSONS: &[Lesson] = &[
     clipping::LESSON,
     lighting::LESSON,
     filtering::LESSON,
+    blending::LESSON,
     antialiasing::LESSON,
 ];
 

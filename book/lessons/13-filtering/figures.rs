@@ -259,7 +259,7 @@ fn by_method(name: &str, subjects: &[Subject], scene: (Vec3, Mat4), size: [u16; 
 const GAP: i32 = 6;
 
 /// Pictures of one size in rows, one pixel for one.
-fn rows_of(rows: &[Vec<Image>]) -> anyhow::Result<Drawing> {
+pub(crate) fn rows_of(rows: &[Vec<Image>]) -> anyhow::Result<Drawing> {
     let first = rows.first().and_then(|row| row.first()).context("there is no picture")?;
     let [width, height] = [first.width(), first.height()];
     let whole = |side: i32, count: usize| (side * count as i32 + GAP * (count as i32 - 1)) as u16;
@@ -279,8 +279,8 @@ fn in_a_row(pictures: impl IntoIterator<Item = anyhow::Result<Image>>) -> anyhow
 }
 
 /// The size of one of two pictures, and of one of three.
-const HALF: u16 = 447;
-const THIRD: u16 = 296;
+pub(crate) const HALF: u16 = 447;
+pub(crate) const THIRD: u16 = 296;
 
 const LIGHT: Vec3 = Vec3::new(0.4, 0.8, 0.8);
 

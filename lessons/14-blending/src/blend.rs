@@ -218,7 +218,7 @@ impl BlendStage for Blend {
 }
 
 /// Blending or, where there is one, a logic operation in its place: what a command line says.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlendOrLogic<D = TwoShift> {
     /// The blending.
     pub blend: Blend,

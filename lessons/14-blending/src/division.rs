@@ -71,7 +71,7 @@ impl Division for Exact {
 /// Two shifts: with n = sum + 128, it is (n + n/256)/256, both rounded down (J. F. Blinn, *Three wrongs make a right*, IEEE
 /// Computer Graphics and Applications 15, 1995). 1/255 is 1/256 + 1/256² + …, and of all sums up to 255² none needs more
 /// terms.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TwoShift;
 
 // ANCHOR: two_shift

@@ -118,12 +118,7 @@ impl StateFlags {
     /// Whether anything but the defaults is asked for.
     #[must_use]
     pub fn are_given(&self) -> bool {
-        let &Self { depth_test, blend, blend_alpha, equation, write_mask, .. } = self;
-        let Formula { source, destination, .. } = Blend::OVER.color;
-        let Formula { source: source_alpha, destination: destination_alpha, .. } = Blend::OVER.alpha;
-        let usual = (depth_test, equation, write_mask) == (Compare::Less, Equation::FuncAdd, WriteMask::ALL)
-            && (blend, blend_alpha) == ([source, destination], [source_alpha, destination_alpha]);
-        !usual || self.scissor.is_some() || self.stencil.is_some() || self.logic.is_some()
+        self.state() != AnyState::USUAL
     }
 
     /// The state that they describe.

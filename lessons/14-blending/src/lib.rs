@@ -84,6 +84,17 @@ pub const LESSON: Lesson = Lesson {
 pub type AnyState<D = TwoShift> =
     State<Option<Bounds>, Option<StencilTest>, DepthTest, BlendOrLogic<D>, WriteMask>;
 
+impl AnyState {
+    /// What the program's flags say unless told otherwise: a depth test, and layers over what is there.
+    pub const USUAL: Self = Self {
+        scissor: None,
+        stencil: None,
+        depth: DepthTest { function: Compare::Less, write: true },
+        blend: BlendOrLogic { blend: Blend::OVER, logic: None, division: PhantomData },
+        mask: WriteMask::ALL,
+    };
+}
+
 /// A framebuffer under such a state.
 pub type AnyFramebuffer<'a> = Framebuffer<'a, AnyState>;
 
@@ -95,8 +106,8 @@ pub struct Divide {
     pub entities_under: for<'a> fn(AnyFramebuffer<'a>, &[Entity], &View) -> (AnyFramebuffer<'a>, Counts),
     /// Draws triangles in the window likewise.
     pub triangles_under: for<'a> fn(AnyFramebuffer<'a>, &[Surface]) -> AnyFramebuffer<'a>,
-    /// A layer over what is there, source and destination.
-    pub over: fn(Color, Color) -> Color,
+    /// The colour that a blending makes of source and destination.
+    pub blend: fn(&Blend, Color, Color) -> Color,
     /// What lies between two channels, source and destination: so many 255ths of the source, the rest of the destination.
     pub mix: fn(u8, u8, u8) -> u8,
 }
@@ -118,7 +129,7 @@ impl Divide {
                 plain::draw(surfaces, &mut target);
                 divided(target)
             },
-            over: |source, destination| Over(D::default()).color(source, destination),
+            blend: |blend, source, destination| blend.by::<D>(source, destination),
             mix: D::mix,
         }
     }
@@ -155,7 +166,7 @@ pub const METHODS: &[Method<Divide>] = &[
         name: "shift-8",
         run: Divide::new::<Shift8>(),
         promise: "one shift; never too bright",
-        failure: "white on white is 254, and each layer over it darker by 1 again",
+        failure: "up to 2 too dark: white on white is 254, and layers of alpha 1 are never seen on black",
     },
     Method {
         name: "div-256",

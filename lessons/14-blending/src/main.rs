@@ -7,7 +7,9 @@ use blending::crates::CRATE;
 use blending::cutout::{Cutout, FERN};
 use blending::flags::{StateFlags, TriangleFlags};
 use blending::scene::{Entity, View};
-use blending::{AnyFramebuffer, Divide, Framebuffer, SPACES, Space, State, TRANSPARENCY, Transparency};
+use blending::{
+    AnyFramebuffer, Blend, Divide, Framebuffer, SPACES, Space, State, TRANSPARENCY, Transparency,
+};
 use blending::{crates, glass, mirror, outline, plain, scene, sheet};
 use camera::flags::{TurntableFlag, ViewFlags};
 use clipping::{Counts, Cull, Drawn};
@@ -165,7 +167,7 @@ impl Program for Blending {
         let view = self.view(size)?;
         // What is as it is unless told otherwise is drawn by what is compiled for just that.
         let usual = self.transparency.is_none() && self.space.is_none() && !self.flags.state.are_given();
-        let layer = self.space.map_or(Layer::Over(method.over), Layer::In);
+        let layer = self.space.map_or(Layer::Over(method.blend), Layer::In);
         let drawn = match &self.scene {
             Scene::Crates(model) if usual => (method.entities)(&crates::entities(model), &view, picture),
             Scene::Crates(model) => {
@@ -273,7 +275,7 @@ impl Blending {
 #[derive(Clone, Copy)]
 enum Layer {
     /// By one of the ways to divide.
-    Over(fn(Color, Color) -> Color),
+    Over(fn(&Blend, Color, Color) -> Color),
     /// In one of the spaces.
     In(Space),
 }
@@ -281,7 +283,7 @@ enum Layer {
 impl BlendStage for Layer {
     fn color(self, source: Color, destination: Color) -> Color {
         match self {
-            Self::Over(over) => over(source, destination),
+            Self::Over(blend) => blend(&Blend::OVER, source, destination),
             Self::In(space) => space.color(space.stored(source), destination),
         }
     }

@@ -12,7 +12,7 @@ use crate::stencil::StencilStage;
 /// What happens to a fragment, in this order. Each part is a type: `()` leaves the operation out, and then it is not in the
 /// compiled loop; an `Option` leaves it out or not when the program runs. What the types are unless told otherwise leaves out
 /// all but the depth test of lessons 10 to 13.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State<Sc = (), St = (), D = Less, B = (), M = ()> {
     /// The rectangle that is drawn to.
     pub scissor: Sc,

@@ -21,6 +21,7 @@
 //! | [`samples`] | what each sample of a pixel sees of several triangles, in `i128` and `f64` |
 //! | [`edge`] | how well the samples of a pixel show an edge, by its angle, in `f64` |
 //! | [`box_filter`] | the mean of all that is seen in a pixel, by cutting what is nearer out of what is farther, in `f64` |
+//! | [`fragment`] | what happens to a fragment: tests, blending, logic operations, masks, in whole numbers |
 //! | [`layers`] | the transparent layers of a pixel, sorted, in `f64`, and each rounded in whole numbers |
 //! | [`cutout`] | a texture with alpha, filtered and laid over a colour, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
@@ -36,6 +37,7 @@ pub mod coverage;
 pub mod cutout;
 pub mod edge;
 pub mod footprint;
+pub mod fragment;
 pub mod lamp;
 pub mod layers;
 pub mod matrix;

@@ -1,8 +1,14 @@
 //! Lesson 14: what its methods draw, where they fail, what its program is asked.
 
+mod alike;
+mod early;
 mod glass;
 mod layers;
 mod order;
-mod products;
+mod properties;
+mod snapshots;
 mod spaces;
+mod stability;
+mod state;
+mod usage;
 mod through;

@@ -2,8 +2,9 @@
 
 mod area;
 mod centroid;
+mod cost;
 mod edges;
 mod properties;
 mod scenes;
-mod shading;
 mod stability;
+mod states;
