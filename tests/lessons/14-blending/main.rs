@@ -10,5 +10,5 @@ mod snapshots;
 mod spaces;
 mod stability;
 mod state;
-mod usage;
 mod through;
+mod usage;
