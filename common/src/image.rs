@@ -150,6 +150,25 @@ impl Image {
         }
     }
 
+    /// Colours every pixel, as [`set`](Self::set) does: `color` is asked by the pixel's number, rows from the bottom.
+    pub fn set_all(&mut self, mut color: impl FnMut(usize) -> Color) {
+        match self.format {
+            Format::Gray => (0..).zip(&mut self.bytes).for_each(|(n, byte)| *byte = color(n).luma()),
+            Format::Rgb => {
+                for (n, bytes) in self.bytes.as_chunks_mut::<3>().0.iter_mut().enumerate() {
+                    let Color { r, g, b, .. } = color(n);
+                    *bytes = [r, g, b];
+                }
+            }
+            Format::Rgba => {
+                for (n, bytes) in self.bytes.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+                    let Color { r, g, b, a } = color(n);
+                    *bytes = [r, g, b, a];
+                }
+            }
+        }
+    }
+
     /// Lays `color` over the pixel (x, y), which it covers by `coverage` 255ths.
     #[inline]
     pub fn blend(&mut self, x: i32, y: i32, color: Color, coverage: u8) {
@@ -299,6 +318,17 @@ mod tests {
                 let expected = if (x, y) == (3, 2) { Some(kept) } else { Image::new(1, 1, format).get(0, 0) };
                 assert_eq!(Some(found), expected);
             }
+        }
+    }
+
+    #[test]
+    fn all_pixels_are_set_in_the_order_of_the_buffer() {
+        for format in FORMATS {
+            let [mut one_by_one, mut at_once] = [(); 2].map(|()| Image::new(5, 4, format));
+            let color = |n: usize| Color { a: n as u8, ..Color::random(n as u64) };
+            (0..20).for_each(|n| one_by_one.set(n % 5, n / 5, color(n as usize)));
+            at_once.set_all(color);
+            assert_eq!(at_once, one_by_one);
         }
     }
 

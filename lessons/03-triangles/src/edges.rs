@@ -150,6 +150,7 @@ impl Setup {
     // ANCHOR_END: new
 
     /// The covered pixels of a row.
+    #[inline]
     #[must_use]
     pub fn row(&self, y: i32) -> Row {
         let rows = i64::from(y) - i64::from(self.bounds.min.y);

@@ -17,6 +17,7 @@
 pub mod alpha;
 pub mod area;
 pub mod canvas;
+pub mod cover;
 pub mod coverage;
 pub mod multisampled;
 pub mod ordered;

@@ -19,7 +19,7 @@ use zbuffer::{DepthBuffer, depth_at};
 
 use crate::alpha::alpha_to_coverage;
 use crate::canvas::Canvas;
-use crate::coverage::Places;
+use crate::coverage::{Places, all};
 use crate::pattern::pattern;
 use crate::resolve::Resolve;
 use crate::storage::Storage;
@@ -128,7 +128,8 @@ impl<const N: usize> Plane<N> {
 // ANCHOR: centroid
 /// The edge functions at the centroid of those samples whose bits are set: the mean of those at the samples, as they are
 /// linear. None of these is negative, so the mean is not.
-#[inline]
+#[cold]
+#[inline(never)]
 fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32) -> DVec3 {
     let sum: DVec3 = (0..N).filter(|s| samples >> s & 1 == 1).map(|s| offsets[s]).sum();
     let count = f64::from(samples.count_ones());
@@ -188,11 +189,12 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                 // 1. Which samples are seen, and how deep they are.
                 let depths = plane.depths(at, setup.per_area);
                 let (kept, stencils) = (&mut self.depths[pixel], &mut self.stencils[pixel]);
+                let mut test = |s: usize| state.test(IVec2::new(x, y), depths[s], kept[s], &mut stencils[s]);
                 let mut seen = 0;
-                for s in 0..N {
-                    let tested = covered >> s & 1 == 1
-                        && state.test(IVec2::new(x, y), depths[s], kept[s], &mut stencils[s]);
-                    seen |= u32::from(tested) << s;
+                if covered == all::<N>() {
+                    (0..N).for_each(|s| seen |= if test(s) { 1 << s } else { 0 });
+                } else {
+                    (0..N).for_each(|s| seen |= u32::from(covered >> s & 1 == 1 && test(s)) << s);
                 }
                 // 2. Shading, once for all of them or for each.
                 while seen != 0 {
@@ -217,10 +219,10 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                     };
                     // 3. What the samples keep.
                     self.colors.change(pixel, samples, |kept| state.color(color, kept));
-                    if state.writes_depth() {
-                        for s in 0..N {
-                            kept[s] = if samples >> s & 1 == 1 { depths[s] } else { kept[s] };
-                        }
+                    if state.writes_depth() && samples == all::<N>() {
+                        *kept = depths;
+                    } else if state.writes_depth() {
+                        (0..N).filter(|s| samples >> s & 1 == 1).for_each(|s| kept[s] = depths[s]);
                     }
                 }
             }
@@ -229,13 +231,10 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
     // ANCHOR_END: fill
 
     fn resolve(&self, resolve: Resolve, picture: &mut Image) {
-        for (pixel, (x, y)) in pixels(self.bounds).enumerate() {
-            let color = match self.colors.colors(pixel) {
-                [color] => *color,
-                samples => resolve(samples),
-            };
-            picture.set(x, y, color);
-        }
+        picture.set_all(|pixel| match self.colors.colors(pixel) {
+            [color] => *color,
+            samples => resolve(samples),
+        });
     }
 
     fn depths(&self, picture: &Image) -> DepthBuffer<f32> {

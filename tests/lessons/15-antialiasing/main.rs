@@ -5,5 +5,4 @@ mod centroid;
 mod edges;
 mod properties;
 mod scenes;
-mod shading;
 mod stability;
