@@ -2,7 +2,9 @@
 
 mod area;
 mod centroid;
+mod cost;
 mod edges;
 mod properties;
 mod scenes;
 mod stability;
+mod states;
