@@ -2,7 +2,10 @@
 
 mod area;
 mod centroid;
+mod cost;
 mod edges;
 mod properties;
 mod scenes;
+mod snapshots;
 mod stability;
+mod usage;
