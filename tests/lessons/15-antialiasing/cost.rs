@@ -1,253 +1,160 @@
-//! What several samples cost, counted; and that one costs and draws what lesson 14 does.
+//! What edges cost: depths and colours, but no shading; and no memory from picture to picture.
 
-use std::cell::Cell;
-use std::path::Path;
-
-use antialiasing::canvas::plain;
-use antialiasing::multisampled::{Multisampled, PerPixel, PerSample, Shading};
-use antialiasing::storage::{Compressed, Samples, Storage};
-use antialiasing::{Canvas, alpha_to_coverage, render, resolve};
-use blending::depth::DepthTest;
-use blending::plain::draw;
-use blending::{AnyState, Blend, BlendOrLogic, Formula, Framebuffer, State, StencilTest, WriteMask};
-use clap::ValueEnum;
-use clipping::mesh::indexed;
-use clipping::{Clipping, Cull, Mesh};
-use common::program::model::{DEFAULT_MODEL, DEFAULT_TEXTURE};
-use common::{Attributes, Bounds, Color, Format, IVec2, Image, Mat4, Model, Vec2, Vec3, Vec4};
-use fastrand::Rng;
-use perspective::lighting::Clamped;
+use antialiasing::area::Area;
+use antialiasing::multisampled::{Multisampled, PerPixel, PerSample};
+use antialiasing::ordered::Ordered;
+use antialiasing::resolve::Resolve;
+use antialiasing::storage::{Compressed, Samples};
+use antialiasing::{Canvas, Scene, World, resolve};
+use blending::Operations;
+use blending::scene::{Entity, View};
+use clipping::Cull;
+use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
+use filtering::scene::Filterable;
+use filtering::{MIPMAPS, Wrap};
+use lighting::PointLight;
+use perspective::perspective;
 use perspective::scene::Loaded;
-use perspective::{perspective, view};
-use shaders::Lit;
-use shaders::shader::{Fragment, Shader};
-use shaders::source::Texture;
-use textures::Wrap;
-use zbuffer::Surface;
+use shaders::shader::{Fragment, Varying};
+use verify::{CRATE, method};
+use zbuffer::DepthBuffer;
 
-/// Another shader, and how often it made a colour.
-struct Counting<'a, S> {
-    shader: S,
-    calls: &'a Cell<usize>,
+/// A canvas whose calls for a colour are counted.
+struct Counted<C> {
+    canvas: C,
+    calls: usize,
 }
 
-impl<S: Shader> Shader for Counting<'_, S> {
-    type Constant = S::Constant;
-    type Varying = S::Varying;
-    type Output = S::Output;
+impl<C: Canvas> Canvas for Counted<C> {
+    type Stencil = C::Stencil;
 
-    fn position(&self, vertex: usize) -> Vec4 {
-        self.shader.position(vertex)
+    fn new(size: [usize; 2], alpha_to_coverage: bool) -> Self {
+        Self { canvas: C::new(size, alpha_to_coverage), calls: 0 }
     }
 
-    fn triangle(&self, face: usize) -> Option<S::Constant> {
-        self.shader.triangle(face)
+    fn clear(&mut self, background: Color) {
+        self.canvas.clear(background);
     }
 
-    fn corner(&self, face: usize, corner: usize) -> S::Varying {
-        self.shader.corner(face, corner)
+    fn size(&self) -> Vec2 {
+        self.canvas.size()
     }
 
-    fn fragment(&self, constant: S::Constant, fragment: Fragment<S::Varying>) -> Option<S::Output> {
-        self.calls.set(self.calls.get() + 1);
-        self.shader.fragment(constant, fragment)
+    fn fill<V: Varying>(
+        &mut self,
+        state: impl Operations<Stencil = C::Stencil>,
+        corners: [Vec4; 3],
+        varyings: [V; 3],
+        mut shade: impl FnMut(Fragment<V>) -> Option<Color>,
+    ) {
+        let calls = &mut self.calls;
+        self.canvas.fill(state, corners, varyings, |fragment| {
+            *calls += 1;
+            shade(fragment)
+        });
+    }
+
+    fn resolve(&self, resolve: Resolve, picture: &mut Image) {
+        self.canvas.resolve(resolve, picture);
+    }
+
+    fn depths(&self, picture: &Image) -> DepthBuffer<f32> {
+        self.canvas.depths(picture)
     }
 }
 
-/// The head, and the camera of the lesson's picture.
-fn head() -> (Loaded, Mesh, Mat4) {
+/// The course's head.
+fn head() -> Filterable {
     let needs = Attributes { normals: true, uvs: true };
-    let model = Model::read(Path::new(DEFAULT_MODEL), needs).unwrap();
-    let head = Loaded::new(model, Image::read(Path::new(DEFAULT_TEXTURE)).unwrap(), Wrap::Clamp);
-    let mesh = indexed(&head.model, &head.normals, needs);
-    let looks = view(Vec3::new(3.3, 0.25, 1.05), Vec3::new(0.0, -0.03, 0.0), Vec3::Y).unwrap();
-    (head, mesh, perspective(45.0, 1.0, 0.1, 100.0).unwrap() * looks)
+    let model = Model::read(common::program::model::DEFAULT_MODEL.as_ref(), needs).unwrap();
+    let loaded = Loaded::new(model, Image::read(CRATE.as_ref()).unwrap(), textures::Wrap::Repeat);
+    Filterable::new(loaded, *method(MIPMAPS, "box-linear"), Wrap::Repeat)
 }
 
-/// How often the head's pixels are shaded in a picture so many pixels wide and high.
-fn calls<const N: usize, H: Shading>(side: usize) -> usize {
-    let (head, mesh, to_clip) = head();
-    let calls = Cell::new(0);
-    let lit = Lit::new(head.uniforms(Vec3::Z, to_clip), Texture, Clamped);
-    let mut canvas = Multisampled::<N, Samples<N>, H>::new([side; 2], false);
-    render(&Counting { shader: lit, calls: &calls }, &mesh, Cull::Back, State::OFF, &mut canvas);
-    calls.get()
+/// Lets `with` have a scene of the head, as the lesson's own picture shows it, in a picture of that size.
+fn before_the_head<R>(size: [u16; 2], with: impl FnOnce(&Scene, Image) -> R) -> R {
+    let model = head();
+    let eye = Vec3::new(3.1, 0.25, 1.0);
+    let aspect = f32::from(size[0]) / f32::from(size[1]);
+    let look = perspective::view(eye, Vec3::ZERO, Vec3::Y).unwrap();
+    let to_clip = perspective(45.0, aspect, 0.1, 100.0).unwrap() * look;
+    let view = View { to_clip, eye, light: PointLight::default() };
+    let entities = [Entity { model: &model, to_world: Mat4::IDENTITY, alpha: 1.0 }];
+    let world = Some(World { entities: &entities, view, cull: Cull::Back });
+    let scene = Scene { background: Color::WHITE, triangles: &[], world, alpha_to_coverage: false, resolve };
+    with(&scene, Image::new(size[0], size[1], Format::Rgb))
 }
 
-/// Sixteen samples are shaded little more often than one: only pixels that an edge crosses, once for each of its triangles. In
-/// a small picture more of them are such.
+/// How often the head is shaded by a canvas.
+fn calls<C: Canvas<Stencil = ()>>(size: [u16; 2]) -> f64 {
+    before_the_head(size, |scene, image| {
+        let mut canvas = Counted::<C>::new(size.map(usize::from), false);
+        scene.draw_to(&image, &mut canvas);
+        canvas.calls as f64
+    })
+}
+
+/// In a picture of the usual size sixteen samples are shaded at most 1.35 times as often as one. The smaller the triangles are
+/// on the screen, the more pixels are at the side of one, and are shaded once for each that they share: at a third of the
+/// size it is twice as often.
 #[test]
-fn sixteen_samples_cost_hardly_more_shading_than_one() {
-    for (side, most) in [(800, 1.35), (1600, 1.18)] {
-        let [one, sixteen] = [calls::<1, PerPixel>(side), calls::<16, PerPixel>(side)];
-        let ratio = sixteen as f64 / one as f64;
-        println!("{side}: {one} {sixteen} {ratio:.4}");
-        assert!(one > side * side / 10, "{one}");
-        assert!((1.02..most).contains(&ratio), "{side}: {ratio}");
-    }
-    // Shaded one by one they are sixteen times as many.
-    let ratio = calls::<16, PerSample>(400) as f64 / calls::<1, PerPixel>(400) as f64;
-    assert!((15.5..16.5).contains(&ratio), "{ratio}");
-}
-
-/// A canvas that is kept needs no memory for another picture but for the list of the mesh's vertices, as in lesson 11: however
-/// many triangles, pixels and samples there are.
-#[test]
-fn nothing_is_allocated_for_a_triangle_or_a_pixel() {
-    fn counts<const N: usize, C: Storage<N>>() -> Vec<u64> {
-        let (head, mesh, to_clip) = head();
-        let mut image = Image::new(100, 100, Format::Rgb);
-        let mut canvas = Multisampled::<N, C>::new([100; 2], false);
-        let lit = Lit::new(head.uniforms(Vec3::Z, to_clip), Texture, Clamped);
-        let mut frame = || {
-            canvas.clear(Color::WHITE);
-            render(&lit, &mesh, Cull::Back, State::OFF, &mut canvas);
-            canvas.resolve(resolve, &mut image);
-        };
-        (0..3).map(|_| allocation_counter::measure(&mut frame).count_total).collect()
-    }
-    assert_eq!(counts::<1, Samples<1>>(), [1; 3]);
-    assert_eq!(counts::<16, Samples<16>>(), [1; 3]);
-    assert_eq!(counts::<16, Compressed<16>>(), [1; 3]);
-}
-
-/// Width and height of the pictures under any state.
-const SIZE: [usize; 2] = [23, 17];
-
-/// Any state of lesson 14, all of it decided when the program runs.
-fn any_state(rng: &mut Rng) -> AnyState {
-    fn any<E: ValueEnum + Copy>(rng: &mut Rng) -> E {
-        E::value_variants()[rng.usize(..E::value_variants().len())]
-    }
-    let formula = |rng: &mut Rng| Formula { equation: any(rng), source: any(rng), destination: any(rng) };
-    let [min, max] = [IVec2::new(rng.i32(-2..9), rng.i32(-2..9)), IVec2::new(rng.i32(9..25), rng.i32(9..25))];
-    AnyState {
-        scissor: rng.bool().then_some(Bounds { min, max }),
-        stencil: rng.bool().then(|| StencilTest {
-            function: any(rng),
-            reference: rng.u8(..4),
-            read_mask: rng.u8(..),
-            write_mask: rng.u8(..),
-            fail: any(rng),
-            depth_fail: any(rng),
-            pass: any(rng),
-        }),
-        depth: DepthTest { function: any(rng), write: rng.bool() },
-        blend: BlendOrLogic {
-            blend: Blend { color: formula(rng), alpha: formula(rng), constant: any_color(rng) },
-            logic: (rng.u8(..4) == 0).then(|| any(rng)),
-            division: Default::default(),
-        },
-        mask: WriteMask { r: rng.bool(), g: rng.bool(), b: rng.bool(), a: rng.bool() },
-    }
-}
-
-fn any_color(rng: &mut Rng) -> Color {
-    let [r, g, b, a] = [(); 4].map(|()| rng.u8(..));
-    Color { r, g, b, a }
-}
-
-/// Draws triangles with `N` samples, each under the state beside it.
-fn sampled<const N: usize, C: Storage<N>>(
-    drawn: &[(Surface, AnyState)],
-    background: Color,
-) -> Multisampled<N, C, PerPixel, u8> {
-    let mut canvas = Multisampled::new(SIZE, false);
-    canvas.clear(background);
-    drawn.iter().for_each(|(surface, state)| plain(surface, *state, Vec2::ONE, &mut canvas));
-    canvas
-}
-
-/// Asserts that each sample keeps what a pixel of lesson 14 does: colour, depth and stencil.
-fn assert_as_lesson_14<const N: usize, C: Storage<N>>(drawn: &[(Surface, AnyState)], background: Color) {
-    let mut image = Image::new(SIZE[0] as u16, SIZE[1] as u16, Format::Rgba);
-    image.set_all(|_| background);
-    let mut target = Framebuffer::new(&mut image, AnyState::USUAL);
-    for (surface, state) in drawn {
-        target = target.under(*state);
-        draw(std::slice::from_ref(surface), &mut target);
-    }
-    let canvas = sampled::<N, C>(drawn, background);
-    for (pixel, (x, y, color)) in target.image.pixels().enumerate() {
-        assert!(canvas.colors.colors(pixel).iter().all(|&sample| sample == color), "({x}, {y}): {drawn:?}");
-        assert!(
-            canvas.depths[pixel].iter().all(|&depth| depth == target.depths.get(x, y)),
-            "({x}, {y}): {drawn:?}"
+fn sixteen_samples_cost_little_more_shading_than_one() {
+    let times = [[800, 800], [320, 240]].map(|size| {
+        let once = calls::<Multisampled<1, Samples<1>>>(size);
+        assert_eq!(
+            calls::<Multisampled<16, Compressed<16>>>(size),
+            calls::<Multisampled<16, Samples<16>>>(size)
         );
-        assert_eq!(canvas.stencils[pixel], [target.stencils[pixel]; N], "({x}, {y}): {drawn:?}");
+        let times = [
+            calls::<Multisampled<2, Samples<2>>>(size),
+            calls::<Multisampled<4, Samples<4>>>(size),
+            calls::<Multisampled<8, Samples<8>>>(size),
+            calls::<Multisampled<16, Samples<16>>>(size),
+        ];
+        times.map(|calls| calls / once)
+    });
+    for [two, four, eight, sixteen] in times {
+        assert!(1.0 < two && two < four && four < eight && eight < sixteen, "{times:?}");
     }
+    assert!(times[0][3] > 1.2 && times[0][3] <= 1.35, "{times:?}");
+    assert!((1.8..2.1).contains(&times[1][3]), "{times:?}");
 }
 
-/// Triangles anywhere about the picture, with one sample.
+/// Where each sample is shaded by itself there are as many calls as samples, but for the luck of what is hidden.
 #[test]
-fn under_any_state_one_sample_keeps_what_lesson_14_does() {
-    let mut rng = Rng::with_seed(15);
-    for _ in 0..400 {
-        let corner = |rng: &mut Rng| Vec3::new(rng.f32() * 39.0 - 8.0, rng.f32() * 33.0 - 8.0, rng.f32());
-        let surface =
-            |rng: &mut Rng| Surface { corners: [(); 3].map(|()| corner(rng)), color: any_color(rng) };
-        let drawn: Vec<_> = (0..8).map(|_| (surface(&mut rng), any_state(&mut rng))).collect();
-        assert_as_lesson_14::<1, Samples<1>>(&drawn, any_color(&mut rng));
-    }
+fn supersampling_shades_each_sample() {
+    let size = [160, 120];
+    let once = calls::<Multisampled<1, Samples<1>>>(size);
+    let each = calls::<Multisampled<16, Samples<16>, PerSample>>(size) / once;
+    let ordered = calls::<Ordered>(size) / once;
+    assert!((each - 16.0).abs() < 0.2 && (ordered - 16.0).abs() < 0.2, "{each}, {ordered}");
 }
 
-/// Rectangles of whole pixels: each sample is covered as the centre is, if by the other one of two triangles at the diagonal.
+/// From the second picture on a canvas allocates what lesson 11's loop does, its vertices, and nothing for pixels, triangles
+/// or samples.
 #[test]
-fn under_any_state_every_sample_keeps_what_a_pixel_of_lesson_14_does() {
-    let mut rng = Rng::with_seed(16);
-    for _ in 0..400 {
-        let mut drawn = Vec::new();
-        for _ in 0..6 {
-            let [x, y] = [rng.i32(-3..20), rng.i32(-3..14)];
-            let [right, top] = [x + rng.i32(1..20), y + rng.i32(1..14)].map(|n| n as f32);
-            let (left, bottom, z) = (x as f32, y as f32, rng.f32());
-            let corners =
-                [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(x, y)| Vec3::new(x, y, z));
-            let (color, state) = (any_color(&mut rng), any_state(&mut rng));
-            let halves = if rng.bool() { [[0, 1, 2], [0, 2, 3]] } else { [[3, 1, 0], [1, 3, 2]] };
-            drawn.extend(halves.map(|half| (Surface { corners: half.map(|n| corners[n]), color }, state)));
-        }
-        let background = any_color(&mut rng);
-        assert_as_lesson_14::<2, Samples<2>>(&drawn, background);
-        assert_as_lesson_14::<4, Compressed<4>>(&drawn, background);
-        assert_as_lesson_14::<8, Compressed<8>>(&drawn, background);
-        assert_as_lesson_14::<16, Samples<16>>(&drawn, background);
-        assert_as_lesson_14::<16, Compressed<16>>(&drawn, background);
+fn a_canvas_that_is_kept_allocates_nothing() {
+    fn allocations<C: Canvas<Stencil = ()>>(size: [u16; 2]) -> u64 {
+        before_the_head(size, |scene, mut image| {
+            let mut canvas = C::new(size.map(usize::from), false);
+            let mut draw = || {
+                scene.draw_to(&image, &mut canvas);
+                canvas.resolve(scene.resolve, &mut image);
+            };
+            draw();
+            allocation_counter::measure(draw).count_total
+        })
     }
-}
-
-/// A mesh in perspective, textured and lit: lesson 14's loop draws the same pixels.
-#[test]
-fn one_sample_draws_a_model_as_lesson_14_does() {
-    let (head, mesh, to_clip) = head();
-    let lit = Lit::new(head.uniforms(Vec3::new(0.6, 0.0, 0.8), to_clip), Texture, Clamped);
-    for size in [[97, 131], [240, 180]] {
-        let [mut before, mut after] =
-            [(); 2].map(|()| Image::new(size[0] as u16, size[1] as u16, Format::Rgb));
-        let mut target = Framebuffer::new(&mut before, State::OFF);
-        let counts = clipping::render(&lit, &mesh, Cull::Back, Clipping::GuardBand, &mut target);
-        let mut canvas = Multisampled::<1, Samples<1>>::new(size, false);
-        assert_eq!(render(&lit, &mesh, Cull::Back, State::OFF, &mut canvas), counts);
-        canvas.resolve(resolve, &mut after);
-        assert!(target.depths == canvas.depths(&after));
-        assert!(before == after && before.pixels().filter(|pixel| pixel.2 != Color::BLACK).count() > 2000);
-    }
-}
-
-/// As many samples as alpha's share of them, to the nearest; more alpha covers all that less does; and all of them are the
-/// pattern's.
-#[test]
-fn alpha_covers_the_nearest_number_of_samples() {
-    for samples in [1, 2, 4, 8, 16, 32] {
-        let mut before = 0;
-        for alpha in 0..=255 {
-            let mask = alpha_to_coverage(alpha, samples);
-            let off = f64::from(mask.count_ones()) - f64::from(alpha) / 255.0 * f64::from(samples);
-            assert!(off.abs() < 0.5, "{alpha} of {samples}: {mask:b}");
-            assert_eq!(mask & before, before);
-            assert_eq!(u64::from(mask) >> samples, 0);
-            before = mask;
-        }
-        assert_eq!(before.count_ones(), samples);
+    type Count = fn([u16; 2]) -> u64;
+    let canvases: [Count; 6] = [
+        allocations::<Multisampled<1, Samples<1>>>,
+        allocations::<Multisampled<4, Samples<4>, PerSample>>,
+        allocations::<Multisampled<16, Samples<16>>>,
+        allocations::<Multisampled<16, Compressed<16>, PerPixel>>,
+        allocations::<Ordered>,
+        allocations::<Area>,
+    ];
+    for (n, canvas) in canvases.into_iter().enumerate() {
+        assert_eq!([[60, 40], [160, 120]].map(canvas), [1; 2], "{n}");
     }
 }

@@ -1,5 +1,6 @@
 //! Lesson 15: what its methods draw, where they fail, what its program is asked.
 
+mod any_state;
 mod area;
 mod centroid;
 mod cost;
@@ -8,4 +9,5 @@ mod properties;
 mod scenes;
 mod snapshots;
 mod stability;
+mod states;
 mod usage;
