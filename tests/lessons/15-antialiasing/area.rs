@@ -1,10 +1,15 @@
 //! The share of each pixel that `area` finds, against rational numbers.
 
-use antialiasing::area::{area, clipped, fill};
+use antialiasing::area::{Area, area, clipped, fill};
+use antialiasing::{Canvas, METHODS, resolve};
+use blending::State;
 use checks::area::area as exact;
-use common::{Bounds, IVec2, Vec2, Vec3};
+use common::{Bounds, Color, Format, IVec2, Image, Vec2, Vec3, Vec4};
 use proptest::prelude::*;
-use verify::window;
+use verify::{method, window};
+use zbuffer::Surface;
+
+use crate::scenes::{Scene, codes, flat, right_of};
 
 const SIDE: i32 = 24;
 
@@ -159,4 +164,66 @@ fn neighbours_add_up_to_the_pixel() {
         }
         assert!(sums.iter().all(|sum| (sum - 1.0).abs() < SLACK), "{hub}: {sums:?}");
     }
+}
+
+/// Where a side divides a pixel into shares s and 1 − s, the two triangles there leave s(1 − s) of the background: up to a
+/// quarter of its light, to within the rounding of each share to 255ths. Samples leave nothing.
+#[test]
+fn a_quarter_of_the_background_shines_through_a_common_side() {
+    for k in 0..=16 {
+        let x = 4.0 + k as f32 / 16.0;
+        let left = [[x, -50.0], [x, 56.0], [-90.0, 3.0]];
+        let triangles = [left, right_of(x)].map(|corners| flat(corners, 0.5, Color::BLACK)).to_vec();
+        let scene = Scene { size: [9, 7], background: Color::WHITE, triangles };
+        let share = f64::from(k) / 16.0;
+        for method in METHODS {
+            let image = scene.drawn(&method.run);
+            for (x, y) in scene.pixels() {
+                let got = codes(image.get(x, y).unwrap());
+                let leaks = method.name == "area" && x == 4;
+                let expected = if leaks { 255.0 * share * (1.0 - share) } else { 0.0 };
+                assert!(
+                    (got[0] - expected).abs() <= if leaks { 1.0 } else { 0.0 },
+                    "{}, {k}: {got:?}",
+                    method.name
+                );
+            }
+        }
+    }
+}
+
+/// Where a near triangle covers a part of a pixel no depth is kept: what lies behind and comes later takes all of the pixel,
+/// and what comes before is hidden as it should be.
+#[test]
+fn what_is_hidden_shines_through_where_a_pixel_is_covered_in_part() {
+    let near = flat(right_of(4.25), 0.25, Color::BLACK);
+    let far = flat(right_of(-9.0), 0.75, Color::WHITE);
+    let area = |triangles: [Surface; 2]| {
+        let scene = Scene { size: [9, 1], background: Color::RED, triangles: triangles.to_vec() };
+        let image = scene.drawn(method(METHODS, "area"));
+        [3, 4, 5].map(|x| image.get(x, 0).unwrap().r)
+    };
+    // A quarter of the pixel is white, as it should be; then all of it.
+    assert_eq!(area([far, near]), [255, 64, 0]);
+    assert_eq!(area([near, far]), [255, 255, 0]);
+}
+
+/// Alpha as coverage is a share of the share.
+#[test]
+fn alpha_to_coverage_is_a_share_of_the_share() {
+    let mut canvas = Area::new([9, 7], true);
+    canvas.clear(Color::WHITE);
+    let corners = right_of(4.5).map(|[x, y]| Vec4::new(x, y, 0.5, 1.0));
+    canvas.fill(State::OFF, corners, [(); 3], |_| Some(Color { a: 102, ..Color::BLACK }));
+    let mut image = Image::new(9, 7, Format::Rgb);
+    canvas.resolve(resolve, &mut image);
+    // 102 of 255 is 2/5: of a whole pixel, and of half a pixel.
+    assert_eq!([3, 4, 5].map(|x| image.get(x, 3).unwrap().r), [255, 204, 153]);
+    // A depth is kept where all of a pixel is covered, by opaque colours.
+    assert!(canvas.depths(&image).bounds() == image.bounds());
+    assert_eq!([4, 5].map(|x| canvas.depths(&image).get(x, 3)), [1.0, 1.0]);
+    canvas.fill(State::OFF, corners, [(); 3], |_| Some(Color::BLACK));
+    assert_eq!([4, 5].map(|x| canvas.depths(&image).get(x, 3)), [1.0, 0.5]);
+    canvas.clear(Color::WHITE);
+    assert_eq!(canvas.depths(&image).get(5, 3), 1.0);
 }
