@@ -5,6 +5,7 @@ mod centroid;
 mod cost;
 mod edges;
 mod properties;
+mod resolves;
 mod scenes;
 mod stability;
 mod states;
