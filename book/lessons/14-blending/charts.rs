@@ -1,14 +1,10 @@
 //! Lesson 14: division by 255, layers in their order, and cut-outs in codes and in light.
 
-use std::marker::PhantomData;
-
-use blending::blend::{BlendOrLogic, BlendStage};
+use blending::blend::BlendStage;
 use blending::cutout::{Cutout, FERN};
 use blending::space::SPACES;
 use blending::transparency::{TRANSPARENCY, Transparency};
-use blending::{
-    AnyState, Blend, Compare, DepthTest, Divide, Framebuffer, METHODS, Over, TwoShift, WriteMask,
-};
+use blending::{Divide, METHODS, Over, TwoShift};
 use checks::cutout::Cutout as Exact;
 use checks::layers;
 use common::{Color, DVec2, Format, Image, Method, Vec2, Vec3};
@@ -36,7 +32,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     exhaustive: true,
     proved: &[],
     errors: method_errors,
-    timed: "100 layers over one another in a picture of 128×128 px",
+    timed: "100 rows of 4096 colours, each laid over the same row of pixels",
     throughput: "Mpx/s",
     work: method_work,
     sizes: Sizes { name: "layers over one another", all: &[1, 10, 100, 1000], usual: 100 },
@@ -114,7 +110,7 @@ pub(crate) const SPACES_CHART: Chart = Chart {
     timed: "512×512 filtered texels of a cut-out of 256×256, laid over a colour",
     throughput: "Mpx/s",
     work: space_work,
-    sizes: Sizes { name: "texels across the texture", all: &[16, 64, 256, 1024], usual: 256 },
+    sizes: Sizes { name: "texels across the texture", all: &[256], usual: 256 },
     stability: Stability {
         stress: "code of the ground",
         falling: false,
@@ -167,31 +163,18 @@ fn method_stability(_: Effort) -> Vec<Series> {
     METHODS.iter().map(|method| of(method.run.mix)).collect()
 }
 
-/// Two triangles that cover a square picture.
-fn sheet(side: f32, depth: f32, color: Color) -> [Surface; 2] {
-    let corner = |x: f32, y: f32| Vec3::new(x * side, y * side, depth);
-    let [a, b, c, d] = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
-    [Surface { corners: [a, b, c], color }, Surface { corners: [a, c, d], color }]
-}
-
-/// Layers of all colours and alphas over one another, none tested.
+/// Rows of any colours and alphas, laid over a row of pixels.
 fn method_work(layers: usize, effort: Effort) -> Vec<Work> {
-    const SIDE: u16 = 128;
+    const WIDTH: usize = 4096;
+    const ROWS: usize = 4;
     let mut random = effort.random();
-    let surfaces: Vec<Surface> =
-        (0..layers).flat_map(|_| sheet(SIDE.into(), 0.5, any_color(&mut random))).collect();
-    let state = AnyState {
-        scissor: None,
-        stencil: None,
-        depth: DepthTest { function: Compare::Always, write: false },
-        blend: BlendOrLogic { blend: Blend::OVER, logic: None, division: PhantomData },
-        mask: WriteMask::ALL,
-    };
+    let mut row = || (0..WIDTH).map(|_| any_color(&mut random)).collect::<Vec<Color>>();
+    let rows: Vec<Vec<Color>> = (0..ROWS).map(|_| row()).collect();
     let work = |method: &'static Method<Divide>| {
-        let (surfaces, mut image) = (surfaces.clone(), Image::new(SIDE, SIDE, Format::Rgb));
-        let pixels = f64::from(SIDE) * f64::from(SIDE) * layers as f64;
-        Work::new(pixels, move || {
-            (method.run.triangles_under)(Framebuffer::new(&mut image, state), &surfaces).depths
+        let (rows, mut pixels) = (rows.clone(), vec![Color::BLACK; WIDTH]);
+        Work::new((WIDTH * layers) as f64, move || {
+            rows.iter().cycle().take(layers).for_each(|row| (method.run.row)(row, &mut pixels));
+            pixels[WIDTH / 2]
         })
     };
     METHODS.iter().map(work).collect()

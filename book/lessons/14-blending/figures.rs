@@ -120,7 +120,8 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "blending-fringe",
-        "A piece of a fern, much enlarged, four times. In the two left pictures a dark line lies around it; in the right ones none.",
+        "A piece of a fern, much enlarged, four times. In the upper left picture a dark line lies around it, in the lower left one a \
+         faint one; in the right ones there is none.",
         fringe,
     ),
     Figure::new(

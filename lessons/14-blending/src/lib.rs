@@ -108,6 +108,8 @@ pub struct Divide {
     pub triangles_under: for<'a> fn(AnyFramebuffer<'a>, &[Surface]) -> AnyFramebuffer<'a>,
     /// The colour that a blending makes of source and destination.
     pub blend: fn(&Blend, Color, Color) -> Color,
+    /// Lays a row of colours over one of pixels, each over one; compiled for just this, it is timed.
+    pub row: fn(&[Color], &mut [Color]),
     /// What lies between two channels, source and destination: so many 255ths of the source, the rest of the destination.
     pub mix: fn(u8, u8, u8) -> u8,
 }
@@ -130,6 +132,13 @@ impl Divide {
                 divided(target)
             },
             blend: |blend, source, destination| blend.by::<D>(source, destination),
+            row: |sources, pixels| {
+                let over = Over(D::default());
+                pixels
+                    .iter_mut()
+                    .zip(sources)
+                    .for_each(|(pixel, &source)| *pixel = over.color(source, *pixel));
+            },
             mix: D::mix,
         }
     }
