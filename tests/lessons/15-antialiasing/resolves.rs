@@ -46,7 +46,10 @@ fn the_mean_of_codes_is_darker_than_the_mean_of_light() {
         let samples = make();
         let got = codes((method.run)(&samples));
         let exact = |channel: usize| {
-            code(samples.iter().map(|&sample| light(codes(sample)[channel])).sum::<f64>() / samples.len() as f64)
+            code(
+                samples.iter().map(|&sample| light(codes(sample)[channel])).sum::<f64>()
+                    / samples.len() as f64,
+            )
         };
         let darker = (0..3).map(|channel| exact(channel) - got[channel]).fold(0.0, f64::max);
         if darker > 0.501 { vec![format!("{darker:.0}")] } else { Vec::new() }
