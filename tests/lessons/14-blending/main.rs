@@ -10,4 +10,5 @@ mod snapshots;
 mod spaces;
 mod stability;
 mod state;
+mod through;
 mod usage;

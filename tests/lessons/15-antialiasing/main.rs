@@ -1,5 +1,6 @@
 //! Lesson 15: what its methods draw, where they fail, what its program is asked.
 
+mod any_state;
 mod area;
 mod centroid;
 mod cost;
@@ -7,5 +8,7 @@ mod edges;
 mod properties;
 mod resolves;
 mod scenes;
+mod snapshots;
 mod stability;
 mod states;
+mod usage;
