@@ -6,8 +6,7 @@ use anyhow::Context;
 use blending::crates::{self, CRATE};
 use blending::scene::{Entity, View};
 use blending::{
-    Compare, DepthTest, Framebuffer, Less, METHODS, State, StencilOp, StencilTest, mirror, outline, plain,
-    sheet,
+    Compare, DepthTest, Framebuffer, Less, METHODS, State, StencilOp, StencilTest, mirror, outline, sheet,
 };
 use clipping::Cull;
 use common::program::model::TexturedModelFlags;
@@ -102,7 +101,7 @@ pub(super) fn mirrored() -> anyhow::Result<Drawing> {
     let mut target = Framebuffer::new(&mut image, marking(depth));
     mirror.pane.draw(&view, Cull::Back, &mut target);
     let stencil = pictured(&target.stencils, target.image);
-    plain::clear_to(target.image, Color::BLACK);
+    target.image.set_all(|_| Color::BLACK);
     let pane = &mirror.pane.to_world;
     let over = mirror::reflection(pane.transform_point3(Vec3::Z / 2.0), pane.z_axis.truncate().normalize());
     let light = PointLight { position: over.transform_point3(view.light.position), ..view.light };

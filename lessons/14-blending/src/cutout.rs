@@ -64,10 +64,7 @@ impl Cutout {
 
     /// The same over the wall, and so large that one sees the texels.
     pub fn enlarged(&self, space: &Space, image: &mut Image) {
-        let bounds = image.bounds();
-        for (x, y) in (0..=bounds.max.y).flat_map(|y| (0..=bounds.max.x).map(move |x| (x, y))) {
-            image.set(x, y, WALL);
-        }
+        image.set_all(|_| WALL);
         self.draw(space, image.size().min_element() / 64.0, Vec2::new(0.72, 0.62), image);
     }
 }

@@ -72,10 +72,7 @@ impl Rosette {
 /// Draws it on paper: what is opaque first, then the panes in one of the ways there are.
 pub fn draw(transparency: Transparency, blend: impl BlendStage, image: &mut Image) {
     let Rosette { opaque, transparent } = Rosette::new(image.size());
-    let bounds = image.bounds();
-    for (x, y) in (0..=bounds.max.y).flat_map(|y| (0..=bounds.max.x).map(move |x| (x, y))) {
-        image.set(x, y, PAPER);
-    }
+    image.set_all(|_| PAPER);
     let mut target = Framebuffer::new(image, State::OFF);
     opaque.iter().for_each(|surface| surface.fill(&mut target));
     let Framebuffer { image, depths, .. } = target;

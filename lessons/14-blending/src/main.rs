@@ -163,7 +163,7 @@ impl Program for Blending {
 
     fn draw(&mut self, method: &Divide, picture: &mut Image) -> anyhow::Result<Extras> {
         let size = picture.size();
-        plain::clear_to(picture, self.flags.triangles.background);
+        picture.set_all(|_| self.flags.triangles.background);
         let view = self.view(size)?;
         // What is as it is unless told otherwise is drawn by what is compiled for just that.
         let usual = self.transparency.is_none() && self.space.is_none() && !self.flags.state.are_given();

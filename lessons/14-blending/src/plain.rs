@@ -1,6 +1,6 @@
-//! Triangles in the window, each of one colour, and what is behind them.
+//! Triangles in the window, each of one colour.
 
-use common::{Color, Image};
+use common::Color;
 use shaders::target::Target;
 use zbuffer::{Surface, fill_depths};
 
@@ -17,11 +17,3 @@ pub fn draw(surfaces: &[Surface], target: &mut impl Target<Color>) {
     }
 }
 // ANCHOR_END: plain
-
-/// Fills a picture with one colour.
-pub fn clear_to(image: &mut Image, color: Color) {
-    let (width, height) = (image.width(), image.height());
-    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
-        image.set(x, y, color);
-    }
-}
