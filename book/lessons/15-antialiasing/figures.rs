@@ -4,12 +4,11 @@ use std::f32::consts::TAU;
 use std::path::Path;
 
 use ::triangles::barycentric::weights;
+use antialiasing::cover::{fan, magnify};
 use antialiasing::multisampled::{Multisampled, PerCenter};
-#[cfg(feature = "measure")]
 use antialiasing::scene::World;
 use antialiasing::storage::{Compressed, Samples, Storage};
 use antialiasing::{Canvas, Draw, METHODS, RESOLVES, Scene, coverage, pattern, resolve};
-use anyhow::Context;
 use blending::cutout::{FERN, WALL};
 use blending::scene::{Entity, View};
 use blending::{Operations, Over, State, TwoShift};
@@ -29,11 +28,18 @@ use shaders::shader::Shader;
 use zbuffer::Surface;
 
 use super::sketches::{centroid, heights, levels, patterns, row, shoelace};
-use crate::figures::picture::{method, model, painted, paste, texture};
+use crate::figures::picture::{method, model, painted, texture};
 use crate::figures::{Drawing, Figure};
-use crate::lessons::lighting::figures::{SEEN, camera};
+use crate::lessons::filtering::figures::rows_of;
+use crate::lessons::lighting::figures::{SEEN, Seen, camera};
 
 pub(crate) const FIGURES: &[Figure] = &[
+    Figure::new(
+        "antialiasing-head",
+        "A head before a night sky with thin rays of gold and rose behind it. In the lower corners a part of it, enlarged: on the \
+         left its outline is a flight of stairs and the rays break up, on the right both are smooth.",
+        head,
+    ),
     Figure::new(
         "antialiasing-shares",
         "A slanted line across two rows of large pixels. Above, each pixel is black or white; below, those that the line runs \
@@ -145,24 +151,6 @@ pub(crate) const FIGURES: &[Figure] = &[
         bytes,
     ),
 ];
-
-/// Between pictures.
-const GAP: i32 = 6;
-
-/// Pictures of one size in rows, one pixel for one.
-fn rows_of(rows: &[Vec<Image>]) -> anyhow::Result<Drawing> {
-    let first = rows.first().and_then(|row| row.first()).context("there is no picture")?;
-    let [width, height] = [first.width(), first.height()];
-    let whole = |side: i32, count: usize| (side * count as i32 + GAP * (count as i32 - 1)) as u16;
-    let mut sheet = Image::new(whole(width, rows[0].len()), whole(height, rows.len()), Format::Rgb);
-    sheet.buffer_mut().fill(96);
-    for (n, row) in rows.iter().rev().enumerate() {
-        for (m, image) in row.iter().enumerate() {
-            paste(image, &mut sheet, [m as i32 * (width + GAP), n as i32 * (height + GAP)]);
-        }
-    }
-    Ok(Drawing::Pixels(sheet, 1))
-}
 
 /// Each pixel so many times as large.
 fn enlarged(image: &Image, times: u16) -> Image {
@@ -307,9 +295,13 @@ pub(crate) struct Head {
 
 impl Head {
     pub(crate) fn new() -> anyhow::Result<Self> {
+        Self::seen(SEEN, PointLight::default())
+    }
+
+    fn seen(seen: Seen, light: PointLight) -> anyhow::Result<Self> {
         let loaded = Loaded::new(model()?, texture()?, textures::Wrap::Clamp);
         let mipmap = *method(MIPMAPS, "box-linear")?;
-        let view = View { to_clip: camera(SEEN)?, eye: SEEN.0, light: PointLight::default() };
+        let view = View { to_clip: camera(seen)?, eye: seen.0, light };
         Ok(Self { model: Filterable::new(loaded, mipmap, Wrap::Clamp), view })
     }
 
@@ -318,7 +310,6 @@ impl Head {
     }
 
     /// What of the world a scene has.
-    #[cfg(feature = "measure")]
     pub(crate) fn world<'a>(&self, entities: &'a [Entity<'a>]) -> World<'a> {
         World { entities, view: self.view, cull: Cull::Back }
     }
@@ -369,6 +360,19 @@ impl Head {
             },
         );
     }
+}
+
+/// The lesson's picture, as its program draws it.
+fn head() -> anyhow::Result<Drawing> {
+    const SIDE: u16 = 800;
+    let light = PointLight { position: Vec3::new(-2.0, 2.5, 2.0), ambient: 0.12, ..PointLight::default() };
+    let head = Head::seen((Vec3::new(3.1, 0.25, 1.0), Vec3::ZERO, 45.0), light)?;
+    let entities = [head.entity()];
+    let rays = fan(Vec2::splat(SIDE.into()));
+    let scene = Scene { world: Some(head.world(&entities)), ..Scene::of(&rays, Color::BLACK) };
+    let mut picture = by_method("msaa-16", &scene, [SIDE; 2])?;
+    magnify(&by_method("none", &scene, [SIDE; 2])?, &mut picture);
+    Ok(Drawing::Pixels(picture, 1))
 }
 
 /// How often each pixel of a square picture of the head is shaded, by this canvas.

@@ -52,7 +52,7 @@ pub(crate) const LAYOUTS: [Layout; 2] = [
 ];
 
 /// How many colours tell methods apart.
-const HUES: usize = 7;
+const HUES: usize = 8;
 
 /// Each hue on a light page and on a dark one: chosen so that letters in them can be read, and that none is like another
 /// one to those who do not see red or green.
@@ -64,6 +64,7 @@ const COLORS: [[&str; 2]; HUES] = [
     ["#9a6b01", "#f7bd17"],
     ["#111418", "#ffffff"],
     ["#8e49fc", "#a967f2"],
+    ["#1001b2", "#ffff00"],
 ];
 
 /// The other colours: names, and what they are on a light page and on a dark one.

@@ -54,3 +54,21 @@ pub(super) fn draw(
     transparent.iter().for_each(|triangle| triangle.fill(&mut target));
 }
 // ANCHOR_END: drawn
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use common::Format;
+
+    #[test]
+    fn layers_add_up_until_the_picture_is_cleared() {
+        let mut image = Image::new(2, 3, Format::Rgb);
+        let depths = DepthBuffer::new(&image, 0.5);
+        let mut target = Layered { image: &mut image, depths: &depths, blend: crate::Over(crate::TwoShift) };
+        assert_eq!([0.4, 0.5, f32::NAN].map(|depth| target.test(1, 2, depth)), [true, false, false]);
+        [0, 1].into_iter().for_each(|_| target.write(1, 2, 0.4, Color { a: 51, ..Color::RED }));
+        assert_eq!(target.image.get(1, 2), Some(Color::rgb(92, 0, 0)));
+        target.clear();
+        assert_eq!(image, Image::new(2, 3, Format::Rgb));
+    }
+}

@@ -95,4 +95,15 @@ mod tests {
     fn a_fragment_takes_as_much_as_the_table_says() {
         assert_eq!(size_of::<Kept>(), 12);
     }
+
+    #[test]
+    fn what_is_cleared_is_forgotten() {
+        let image = Image::new(2, 3, common::Format::Rgb);
+        let depths = DepthBuffer::new(&image, 1.0);
+        let mut lists = Lists { depths: &depths, last: vec![NONE; 6], fragments: Vec::new() };
+        [0.5, 0.25].into_iter().for_each(|depth| lists.write(1, 2, depth, Color::RED));
+        assert_eq!((lists.last[5], lists.fragments.len(), lists.fragments[1].before), (1, 2, 0));
+        lists.clear();
+        assert!(lists.last == [NONE; 6] && lists.fragments.is_empty());
+    }
 }

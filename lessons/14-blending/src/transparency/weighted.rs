@@ -116,4 +116,15 @@ mod tests {
         assert_eq!([weight(0.5, 1.0), weight(0.5, 0.5), weight(0.0, 1.0)], [375.0, 187.5, 3000.0]);
         assert_eq!([weight(1.0, 1.0), weight(0.999, 0.5)], [0.01, 0.005]);
     }
+
+    #[test]
+    fn what_is_cleared_is_forgotten() {
+        let image = Image::new(2, 3, common::Format::Rgb);
+        let depths = DepthBuffer::new(&image, 1.0);
+        let mut sums = Sums { depths: &depths, layers: vec![Layers::NONE; 6] };
+        sums.write(1, 2, 0.5, Color { a: 51, ..Color::RED });
+        assert_eq!(sums.layers[5].over(Color::BLACK), Color::rgb(51, 0, 0));
+        sums.clear();
+        assert!(sums.layers.iter().all(|layers| layers.weight == 0.0 && layers.through == 1.0));
+    }
 }
