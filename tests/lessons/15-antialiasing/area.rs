@@ -1,8 +1,10 @@
 //! The share of each pixel that `area` finds, against rational numbers.
 
 use antialiasing::area::{Area, area, clipped, fill};
+use antialiasing::multisampled::Multisampled;
+use antialiasing::storage::Samples;
 use antialiasing::{Canvas, METHODS, resolve};
-use blending::State;
+use blending::{Compare, DepthTest, Over, State, TwoShift, over};
 use checks::area::area as exact;
 use common::{Bounds, Color, Format, IVec2, Image, Vec2, Vec3, Vec4};
 use proptest::prelude::*;
@@ -226,4 +228,59 @@ fn alpha_to_coverage_is_a_share_of_the_share() {
     assert_eq!([4, 5].map(|x| canvas.depths(&image).get(x, 3)), [1.0, 0.5]);
     canvas.clear(Color::WHITE);
     assert_eq!(canvas.depths(&image).get(5, 3), 1.0);
+}
+
+/// The state of lesson 14 is asked: for the test, for what becomes of the colour, and whether a depth is kept.
+#[test]
+fn an_area_is_drawn_under_a_state() {
+    let corners = right_of(4.5).map(|[x, y]| Vec4::new(x, y, 0.5, 1.0));
+    let (background, red) = (Color::rgb(0, 40, 200), Color { a: 100, ..Color::RED });
+    let mut canvas = Area::new([9, 7], false);
+    canvas.clear(background);
+    let always = DepthTest { function: Compare::Always, write: false };
+    let state =
+        State { scissor: (), stencil: (), depth: always, blend: Over::<TwoShift>::default(), mask: () };
+    canvas.fill(state, corners, [(); 3], |_| Some(red));
+    let mut image = Image::new(9, 7, Format::Rgb);
+    canvas.resolve(resolve, &mut image);
+    // Where half of a pixel is covered, half of what blending makes.
+    let over = over(red, background);
+    let expected = [background, background.mixed(over, 128), over];
+    assert_eq!([3, 4, 5].map(|x| image.get(x, 3).unwrap()), expected);
+    assert_eq!(canvas.depths(&image).get(7, 3), 1.0);
+}
+
+/// Attributes are interpolated in perspective, with the weights of the centroid in the picture; where all of a pixel is covered
+/// they are those of one sample, to the last bit.
+#[test]
+fn what_an_area_shows_is_interpolated_in_perspective() {
+    let corners =
+        [[0.3, 0.6, 1.0], [8.6, 1.2, 0.125], [2.1, 6.7, 0.5]].map(|[x, y, w]| Vec4::new(x, y, 0.5, w));
+    let varyings = [Vec2::new(0.0, 3.0), Vec2::new(7.0, -2.0), Vec2::new(1.0, 9.0)];
+    let (mut seen, mut one) = (Vec::new(), Vec::new());
+    Area::new([9, 7], false).fill(State::OFF, corners, varyings, |fragment| {
+        seen.push((fragment.x, fragment.y, fragment.varying));
+        None
+    });
+    Multisampled::<1, Samples<1>>::new([9, 7], false).fill(State::OFF, corners, varyings, |fragment| {
+        one.push((fragment.x, fragment.y, fragment.varying));
+        None
+    });
+    let mut whole = 0;
+    let mut fragments = seen.into_iter();
+    fill(corners.map(|corner| Vec2::new(corner.x, corner.y)), window(9, 7), |x, y, share, weights| {
+        let (at_x, at_y, varying) = fragments.next().unwrap();
+        assert_eq!((at_x, at_y), (x, y));
+        let scaled = [0, 1, 2].map(|n: usize| f64::from(weights[n]) * f64::from(corners[n].w));
+        let sum: f64 = scaled.iter().sum();
+        for axis in 0..2 {
+            let exact: f64 = (0..3).map(|n| scaled[n] / sum * f64::from(varyings[n][axis])).sum();
+            assert!((f64::from(varying[axis]) - exact).abs() < 1e-5, "({x}, {y}): {varying}, not {exact}");
+        }
+        if share == 1.0 {
+            whole += 1;
+            assert!(one.contains(&(x, y, varying)), "({x}, {y})");
+        }
+    });
+    assert!(fragments.next().is_none() && whole > 10);
 }

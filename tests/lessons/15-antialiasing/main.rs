@@ -6,6 +6,7 @@ mod centroid;
 mod cost;
 mod edges;
 mod properties;
+mod resolves;
 mod scenes;
 mod snapshots;
 mod stability;

@@ -256,3 +256,46 @@ fn one_sample_keeps_the_depths_of_lesson_14() {
     }
     assert!(drawn > 20);
 }
+
+/// A pixel that was covered in parts, all of one colour in the end, takes one colour again.
+#[test]
+fn a_pixel_of_one_colour_keeps_one_colour() {
+    let mut canvas: Multisampled<N, Compressed<N>> = canvas(Color::BLACK);
+    let several = |canvas: &Multisampled<N, Compressed<N>>| {
+        pixels().enumerate().filter(|&(pixel, _)| canvas.colors.colors(pixel).len() > 1).count()
+    };
+    assert_eq!(several(&canvas), 0);
+    // The left half of a column of pixels, white; then the right half, red, which is more to keep; then white over it.
+    let left = right_of(4.5).map(|[x, y]| [9.0 - x, y]);
+    canvas.fill(State::OFF, at(left, 0.5), [(); 3], |_| Some(Color::WHITE));
+    assert_eq!(several(&canvas), 7);
+    canvas.fill(State::OFF, at(right_of(4.5), 0.5), [(); 3], |_| Some(Color::RED));
+    assert_eq!(several(&canvas), 7);
+    canvas.fill(State::OFF, at(right_of(4.5), 0.25), [(); 3], |_| Some(Color::WHITE));
+    assert_eq!(several(&canvas), 0);
+    assert!(resolved(&canvas).pixels().all(|pixel| pixel.2 == Color::WHITE));
+}
+
+/// Nothing of one picture is left in the next.
+#[test]
+fn a_canvas_forgets() {
+    fn forgets<C: Canvas<Stencil = ()>>() {
+        let draw = |canvas: &mut C, depth: f32| {
+            for (n, corners) in fan([4.4, 3.1]).into_iter().enumerate() {
+                canvas.fill(State::OFF, at(corners, depth), [(); 3], |_| Some(Color::random(n as u64)));
+            }
+        };
+        let mut kept: C = canvas(Color::WHITE);
+        draw(&mut kept, 0.25);
+        let first = resolved(&kept);
+        kept.clear(Color::WHITE);
+        assert!(resolved(&kept).pixels().all(|pixel| pixel.2 == Color::WHITE));
+        draw(&mut kept, 0.75);
+        assert!(resolved(&kept) == first);
+    }
+    forgets::<Multisampled<1, Samples<1>>>();
+    forgets::<Multisampled<N, Samples<N>>>();
+    forgets::<Multisampled<N, Compressed<N>>>();
+    forgets::<Ordered>();
+    forgets::<Area>();
+}
