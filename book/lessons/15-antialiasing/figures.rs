@@ -199,7 +199,7 @@ fn shares() -> anyhow::Result<Drawing> {
         let normal = (to - from).perp().normalize();
         painted(image.width() as u16, image.height() as u16, |x, y| {
             let place = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(TIMES);
-            let grid = [x, y].iter().any(|n| n % i32::from(TIMES) == 0);
+            let grid = [x, y].iter().any(|n| n % i32::from(TIMES) < 2);
             let color = image.get(x, y).unwrap_or(Color::BLACK);
             match (place - from).dot(normal).abs() {
                 off if off < 0.035 => Color::rgb(0xd5, 0x5e, 0x00),
