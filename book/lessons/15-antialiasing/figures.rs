@@ -371,8 +371,9 @@ impl Head {
 /// The lesson's picture, as its program draws it.
 fn head() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 800;
-    let light = PointLight { position: Vec3::new(-2.0, 2.5, 2.0), ambient: 0.12, ..PointLight::default() };
-    let head = Head::seen((Vec3::new(3.1, 0.25, 1.0), Vec3::ZERO, 45.0), light)?;
+    let position = Vec3::new(0.9, 1.6, 3.0);
+    let light = PointLight { position, ambient: 0.1, diffuse: 0.9, ..PointLight::default() };
+    let head = Head::seen((Vec3::new(3.3, 0.25, 1.05), Vec3::new(0.0, -0.03, 0.0), 45.0), light)?;
     let entities = [head.entity()];
     let rays = fan(Vec2::splat(SIDE.into()));
     let scene = Scene { world: Some(head.world(&entities)), ..Scene::of(&rays, Color::BLACK) };
