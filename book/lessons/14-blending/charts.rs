@@ -25,7 +25,7 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     error: Quantity {
         name: "difference from the nearest level",
         unit: "grey levels of 255",
-        limit: (0.5, "the nearest level"),
+        limit: (0.5, "within ½ level"),
     },
     further: &["wrong_%"],
     samples: "each alpha, all 256 channels over black: all 65,536 products",

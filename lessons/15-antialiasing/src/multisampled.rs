@@ -177,18 +177,22 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
         let offsets = Self::PLACES.offsets(&setup);
         let plane = Plane::new(z, setup.per_area, &offsets);
         let width = self.width();
+        let Self { colors, depths: kept, stencils, alpha_to_coverage: by_alpha, .. } = self;
+        let by_alpha = *by_alpha;
         for y in setup.bounds.min.y..=setup.bounds.max.y {
             let centers = setup.row(y);
             let row = Self::PLACES.row(&setup, y, &centers.pixels);
-            let mut edges =
-                centers.edges + setup.right * (i64::from(row.touched.start) - centers.pixels.start) as f64;
+            let mut edges = centers.edges;
+            if N > 1 {
+                edges += setup.right * (i64::from(row.touched.start) - centers.pixels.start) as f64;
+            }
             let first = y as usize * width;
             for x in row.touched.clone() {
                 let (covered, at, pixel) = (row.mask(x), edges, first + x as usize);
                 edges += setup.right;
                 // 1. Which samples are seen, and how deep they are.
                 let depths = plane.depths(at, setup.per_area);
-                let (kept, stencils) = (&mut self.depths[pixel], &mut self.stencils[pixel]);
+                let (kept, stencils) = (&mut kept[pixel], &mut stencils[pixel]);
                 let mut test = |s: usize| state.test(IVec2::new(x, y), depths[s], kept[s], &mut stencils[s]);
                 let mut seen = 0;
                 if covered == all::<N>() {
@@ -196,34 +200,32 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                 } else {
                     (0..N).for_each(|s| seen |= u32::from(covered >> s & 1 == 1 && test(s)) << s);
                 }
-                // 2. Shading, once for all of them or for each.
-                while seen != 0 {
-                    let together =
-                        if N > 1 && H::AT == At::Sample { seen & seen.wrapping_neg() } else { seen };
-                    seen ^= together;
+                // 2. What they look like, and what they keep.
+                let mut draw = |samples: u32| {
                     let at = match H::AT {
                         _ if N == 1 => at,
                         At::Center => at,
                         At::Centroid if centers.pixels.contains(&x.into()) => at,
                         At::Centroid => at_centroid(at, &offsets, covered),
-                        At::Sample => at_centroid(at, &offsets, together),
+                        At::Sample => at_centroid(at, &offsets, samples),
                     };
                     let weights = (at * setup.per_area).as_vec3();
                     let varying = V::interpolate(varyings, perspective_weights(weights, inverse_w));
                     let fragment = Fragment { x, y, depth: depth_at(z, weights), varying };
-                    let Some(color) = shade(fragment) else { continue };
-                    let samples = if self.alpha_to_coverage {
-                        together & alpha_to_coverage(color.a, N as u32)
-                    } else {
-                        together
-                    };
-                    // 3. What the samples keep.
-                    self.colors.change(pixel, samples, |kept| state.color(color, kept));
+                    let Some(color) = shade(fragment) else { return };
+                    let covered = if by_alpha { alpha_to_coverage(color.a, N as u32) } else { all::<N>() };
+                    let samples = samples & covered;
+                    colors.change(pixel, samples, |kept| state.color(color, kept));
                     if state.writes_depth() && samples == all::<N>() {
                         *kept = depths;
                     } else if state.writes_depth() {
                         (0..N).filter(|s| samples >> s & 1 == 1).for_each(|s| kept[s] = depths[s]);
                     }
+                };
+                if N > 1 && H::AT == At::Sample {
+                    (0..N).filter(|s| seen >> s & 1 == 1).for_each(|s| draw(1 << s));
+                } else if seen != 0 {
+                    draw(seen);
                 }
             }
         }
