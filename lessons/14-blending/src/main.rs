@@ -44,9 +44,9 @@ enum Show {
 
 #[derive(clap::Args)]
 #[command(mut_arg("eye", |arg| arg.default_value("0.6,1.2,3.25")))]
-#[command(mut_arg("light_at", |arg| arg.default_value("-0.8,2.3,2.8")))]
-#[command(mut_arg("ambient", |arg| arg.default_value("0.3")))]
-#[command(mut_arg("diffuse", |arg| arg.default_value("1")))]
+#[command(mut_arg("light_at", |arg| arg.default_value("-0.4,2.4,3.1")))]
+#[command(mut_arg("ambient", |arg| arg.default_value("0.34")))]
+#[command(mut_arg("diffuse", |arg| arg.default_value("1.05")))]
 #[command(mut_arg("light", |arg| arg.hide(true)))]
 struct Flags {
     #[command(flatten)]
