@@ -195,3 +195,15 @@ fn a_turn_around_the_crates() {
     assert_eq!(String::from_utf8_lossy(&output.stdout), "3 pictures\n");
     assert_eq!(names(folder.path()), ["a-000.png", "a-001.png", "a-002.png"]);
 }
+
+/// Each scene has its depths, of what of it has any.
+#[test]
+fn depths_of_every_scene() {
+    for scene in ["crates", "outline", "mirror", "outputs", "glass", "fern"] {
+        let folder = tempdir().unwrap();
+        let arguments = ["--show", scene, "--size", "60x60", "--depth", "d.png", "--out", "a.png"];
+        assert!(run(LESSON.name, folder.path(), &arguments).status.success(), "{scene}");
+        let depths = Image::read(&folder.path().join("d.png")).unwrap();
+        assert!(depths.pixels().any(|pixel| pixel.2 == Color::WHITE), "{scene}");
+    }
+}
