@@ -30,9 +30,9 @@ fn seen() -> anyhow::Result<View> {
     let eye = Vec3::new(0.6, 1.2, 3.25);
     let look = view(eye, Vec3::ZERO, Vec3::Y).context("it looks somewhere")?;
     let light = PointLight {
-        position: Vec3::new(-0.8, 2.3, 2.8),
-        ambient: 0.3,
-        diffuse: 1.0,
+        position: Vec3::new(-0.4, 2.4, 3.1),
+        ambient: 0.34,
+        diffuse: 1.05,
         ..PointLight::default()
     };
     Ok(View { to_clip: perspective(45.0, 1.0, 0.1, 100.0)? * look, eye, light })

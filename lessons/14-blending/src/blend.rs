@@ -1,7 +1,7 @@
 //! Blending: what comes and what is there become one colour.
 //!
 //! *Source* is the fragment's colour, *destination* the pixel's. Each is multiplied by a factor, and an equation puts the two
-//! together, for the three colours in one way, for alpha in another if so wished (notes, *Blending*; OpenGL 4.6, 17.3.6).
+//! together, for the three colours in one way, for alpha in another if so wished (notes and OpenGL 4.6, *Blending*).
 
 use std::marker::PhantomData;
 
@@ -222,7 +222,7 @@ impl BlendStage for Blend {
 pub struct BlendOrLogic<D = TwoShift> {
     /// The blending.
     pub blend: Blend,
-    /// What turns it off. (OpenGL 4.6, 17.3.9: an enabled logic operation is as if blending were disabled.)
+    /// What turns it off. (OpenGL 4.6, *Logical Operation*: an enabled logic operation is as if blending were disabled.)
     pub logic: Option<LogicOp>,
     /// How it divides.
     pub division: PhantomData<D>,

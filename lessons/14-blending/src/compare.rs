@@ -1,7 +1,7 @@
 //! The eight ways to compare what comes with what is there.
 
 // ANCHOR: compare
-/// Which of two values lets a fragment pass. (OpenGL 4.6, 17.3.3 and 17.3.4.)
+/// Which of two values lets a fragment pass. (OpenGL 4.6, *Stencil Test* and *Depth Buffer Test*.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Compare {
     /// Nothing passes.

@@ -11,6 +11,7 @@ use filtering::shader::Filtered;
 use filtering::{Texture, Wrap};
 use shaders::Uniforms;
 use shaders::lighting::Flat;
+use zbuffer::DepthBuffer;
 
 use crate::space::Space;
 use crate::state::State;
@@ -46,9 +47,9 @@ impl Cutout {
     }
 
     /// Draws it over an image, bilinearly filtered, `scale` pixels a texel, with its point (u, v) in the middle: texture and
-    /// layer are in one of the spaces.
+    /// layer are in one of the spaces. Its depths are returned.
     // ANCHOR: cutout
-    pub fn draw(&self, space: &Space, scale: f32, middle: Vec2, image: &mut Image) {
+    pub fn draw(&self, space: &Space, scale: f32, middle: Vec2, image: &mut Image) -> DepthBuffer<f32> {
         let texture: Texture = space.texture(&self.picture, Wrap::Clamp);
         let size = image.size();
         // The square is from −1 to 1, and so is the whole picture.
@@ -59,12 +60,13 @@ impl Cutout {
         let shader = Filtered { uniforms, texture: &texture, filter: Bilinear, lighting: Flat, size };
         let mut target = Framebuffer::new(image, State::blending(*space));
         render(&shader, &self.mesh, Cull::None, Clipping::GuardBand, &mut target);
+        target.depths
     }
     // ANCHOR_END: cutout
 
     /// The same over the wall, and so large that one sees the texels.
-    pub fn enlarged(&self, space: &Space, image: &mut Image) {
+    pub fn enlarged(&self, space: &Space, image: &mut Image) -> DepthBuffer<f32> {
         image.set_all(|_| WALL);
-        self.draw(space, image.size().min_element() / 64.0, Vec2::new(0.72, 0.62), image);
+        self.draw(space, image.size().min_element() / 64.0, Vec2::new(0.72, 0.62), image)
     }
 }

@@ -6,7 +6,7 @@
 use std::f32::consts::TAU;
 
 use common::{Color, Image, Vec2};
-use zbuffer::Surface;
+use zbuffer::{DepthBuffer, Surface};
 
 use crate::blend::BlendStage;
 use crate::state::State;
@@ -69,13 +69,14 @@ impl Rosette {
     }
 }
 
-/// Draws it on paper: what is opaque first, then the panes in one of the ways there are.
-pub fn draw(transparency: Transparency, blend: impl BlendStage, image: &mut Image) {
+/// Draws it on paper: what is opaque first, whose depths are returned, then the panes in one of the ways there are.
+pub fn draw(transparency: Transparency, blend: impl BlendStage, image: &mut Image) -> DepthBuffer<f32> {
     let Rosette { opaque, transparent } = Rosette::new(image.size());
     image.set_all(|_| PAPER);
     let mut target = Framebuffer::new(image, State::OFF);
     opaque.iter().for_each(|surface| surface.fill(&mut target));
     let Framebuffer { image, depths, .. } = target;
     transparency.draw(&transparent, blend, image, &depths);
+    depths
 }
 // ANCHOR_END: rosette

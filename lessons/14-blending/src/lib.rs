@@ -9,7 +9,8 @@
 //! the compiled loop. [`target`] is what fragments are drawn to, tested early or late, [`outputs`] takes several outputs of
 //! one shader, [`translucent`] makes any shader's colours let light through. [`division`] has the ways to divide by 255
 //! ([`METHODS`]), [`transparency`](mod@transparency) those to draw layers in no order ([`TRANSPARENCY`]), [`space`] those to mix
-//! colours ([`SPACES`]). From lesson 9 come shaders and targets, from lesson 11 the loop, from lesson 13 the texture: all unchanged.
+//! colours ([`SPACES`]). Put to use it is in [`crates`], [`outline`], [`mirror`], [`sheet`], [`glass`] and [`cutout`]. From lesson 9
+//! come shaders and targets, from lesson 11 the loop, from lesson 12 the lamp, from lesson 13 the texture: all unchanged.
 //!
 //! Conventions: as in lesson 13. *Source* is the fragment, *destination* the pixel. Alpha is straight, a colour is not
 //! multiplied by it, unless a name says so. What is blended is codes, not light, unless a name says so. A picture without

@@ -5,7 +5,7 @@ use common::Color;
 use crate::blend::BlendStage;
 
 // ANCHOR: logic
-/// A logic operation. With four pairs of bits there are sixteen of them. (OpenGL 4.6, 17.3.9.)
+/// A logic operation. With four pairs of bits there are sixteen of them. (OpenGL 4.6, *Logical Operation*.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum LogicOp {
     /// All bits 0.

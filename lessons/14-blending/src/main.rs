@@ -23,7 +23,7 @@ use lighting::flags::PointLightFlags;
 use perspective::flags::CameraFlags;
 use perspective::scene::Loaded;
 use perspective::view;
-use zbuffer::Surface;
+use zbuffer::{DepthBuffer, Surface};
 
 /// What the program draws where no triangles are asked for.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -44,9 +44,9 @@ enum Show {
 
 #[derive(clap::Args)]
 #[command(mut_arg("eye", |arg| arg.default_value("0.6,1.2,3.25")))]
-#[command(mut_arg("light_at", |arg| arg.default_value("-0.8,2.3,2.8")))]
-#[command(mut_arg("ambient", |arg| arg.default_value("0.3")))]
-#[command(mut_arg("diffuse", |arg| arg.default_value("1")))]
+#[command(mut_arg("light_at", |arg| arg.default_value("-0.4,2.4,3.1")))]
+#[command(mut_arg("ambient", |arg| arg.default_value("0.34")))]
+#[command(mut_arg("diffuse", |arg| arg.default_value("1.05")))]
 #[command(mut_arg("light", |arg| arg.hide(true)))]
 struct Flags {
     #[command(flatten)]
@@ -183,13 +183,9 @@ impl Program for Blending {
                 sheet::draw(&models.iter().map(standing).collect::<Vec<_>>(), &view, picture)
             }
             Scene::Glass => {
-                glass::draw(self.transparency.unwrap_or(Transparency::List), layer, picture);
-                return Ok(Extras::default());
+                flat(glass::draw(self.transparency.unwrap_or(Transparency::List), layer, picture))
             }
-            Scene::Fern(fern) => {
-                fern.enlarged(&self.space.unwrap_or(SPACES[0].run), picture);
-                return Ok(Extras::default());
-            }
+            Scene::Fern(fern) => flat(fern.enlarged(&self.space.unwrap_or(SPACES[0].run), picture)),
         };
         let depth = self.flags.depth.picture(|| drawn.depths.picture_by(|depth| -f64::from(depth)));
         Ok(Extras { depth, left_out: drawn.counts.left_out })
@@ -200,6 +196,11 @@ impl Program for Blending {
         let from = self.flags.view;
         output.series(self, method, stops, |scene, n| scene.flags.view = from.turned(n, stops))
     }
+}
+
+/// What leaves depths behind, and no triangles to count.
+fn flat(depths: DepthBuffer<f32>) -> Drawn {
+    Drawn { depths, counts: Counts::default() }
 }
 
 /// The colour of the light around the head.
@@ -256,7 +257,7 @@ impl Blending {
             depths
         };
         *picture = image;
-        Ok(Drawn { depths, counts: Counts::default() })
+        Ok(flat(depths))
     }
 
     /// A picture under the state that the flags describe.

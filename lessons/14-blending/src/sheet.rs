@@ -66,7 +66,7 @@ pub fn draw(entities: &[Entity], view: &View, image: &mut Image) -> Drawn {
         let (normal, distance) = (normals[(y * width + x) as usize], distances.get(x, y));
         let Some(color) = framebuffer.image.get(x, y) else { continue };
         let seen = distance.is_finite();
-        let nearness = if seen { (-distance / HALF).exp2() } else { 0.0 };
+        let nearness = if seen { libm::exp2f(-distance / HALF) } else { 0.0 };
         let lit = color.shaded((0.25 + 0.75 * normal.dot(light).max(0.0)) * nearness * 2.0);
         image.set(x, height + y, color);
         image.set(width + x, height + y, if seen { pictured(normal) } else { Color::BLACK });

@@ -1,7 +1,7 @@
 //! The second test: a number for each pixel, which fragments are compared with, and which they change.
 //!
 //! A mask is the simplest stencil: where it is 0, nothing is drawn (notes, *Stencil test*). The general one, OpenGL's, also
-//! counts and marks: what becomes of the number hangs on how far a fragment came (OpenGL 4.6, 17.3.3).
+//! counts and marks: what becomes of the number hangs on how far a fragment came (OpenGL 4.6, *Stencil Test*).
 
 use crate::compare::Compare;
 

@@ -7,9 +7,10 @@
 //! The job: draw edges that lie across pixels. [`pattern`](mod@pattern) has the places of the samples,
 //! [`coverage`](mod@coverage) tells which of them a triangle covers, [`canvas`] is what triangles are drawn to and
 //! [`multisampled`] the one that has samples; [`ordered`] draws a larger picture instead, and [`area`] cuts a triangle to
-//! each pixel's square. [`storage`] keeps colours ([`STORAGES`]), [`resolve`](mod@resolve) makes one of several ([`RESOLVES`]), [`alpha`] lets a texture's border cover
-//! samples, [`scene`] is what this lesson draws. From lesson 3 come edges, asked at other places than a centre; from lesson 11
-//! the triangles, from lesson 14 what happens to a fragment, which happens to each sample here: all unchanged.
+//! each pixel's square. [`storage`] keeps colours ([`STORAGES`]), [`resolve`](mod@resolve) makes one of several
+//! ([`RESOLVES`]), [`alpha`] lets a texture's border cover samples, [`scene`] is what this lesson draws. From lesson 3 come
+//! edges, asked at other places than a centre; from lesson 11 the triangles, from lesson 14 what happens to a fragment, which
+//! happens to each sample here: all unchanged.
 //!
 //! Conventions: as in lesson 14. A place in a pixel is counted from its lower left corner, y up, in 1/16 px; a mask has bit s
 //! set where sample s is meant.

@@ -24,9 +24,11 @@ type Line = DVec3;
 /// Corners of a convex polygon, in order.
 type Polygon = Vec<DVec2>;
 
-/// A surface prepared: its corners, the lines that bound it, and its depth as a function a·x + b·y + c.
+/// The corners of a pixel's square, which everything is counted from.
+const SQUARE: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+
+/// A surface prepared: the lines that bound it, and its depth as a function a·x + b·y + c.
 struct Prepared {
-    corners: [DVec2; 3],
     sides: [Line; 3],
     depth: DVec3,
 }
@@ -36,25 +38,26 @@ impl Prepared {
     fn new(surface: &Surface, x: i32, y: i32) -> Option<Self> {
         let origin = [x, y].map(|n| i128::from(n) * 256);
         let corners = Triangle::new(surface.corners.map(|corner| Vec2::new(corner.x, corner.y))).0;
-        let [a, b, c] = corners.map(|corner| {
-            DVec2::new((corner[0] - origin[0]) as f64 / 256.0, (corner[1] - origin[1]) as f64 / 256.0)
-        });
-        let area = (b - a).perp_dot(c - a);
-        let side = |from: DVec2, to: DVec2| {
-            let normal = (to - from).perp() * area.signum();
-            normal.extend(-normal.dot(from))
+        let [a, b, c] = corners.map(|corner| [corner[0] - origin[0], corner[1] - origin[1]]);
+        // Exact before it is rounded, however far the corners.
+        let cross = |p: [i128; 2], q: [i128; 2]| p[0] * q[1] - p[1] * q[0];
+        let doubled = cross(a, b) + cross(b, c) + cross(c, a);
+        let (turn, area) = (doubled.signum() as f64, doubled.abs() as f64 / 65536.0);
+        let side = |from: [i128; 2], to: [i128; 2]| {
+            let along = |axis: usize| (to[axis] - from[axis]) as f64 / 256.0;
+            DVec3::new(-along(1), along(0), cross(from, to) as f64 / 65536.0) * turn
         };
         let sides = [side(b, c), side(c, a), side(a, b)];
         // A side's function is twice the area at the corner opposite to it, and so a corner's weight but for that factor.
         let depths = surface.corners.map(|corner| f64::from(corner.z));
-        let rest = [1, 2].map(|n: usize| sides[n] * ((depths[n] - depths[0]) / area.abs()));
+        let rest = [1, 2].map(|n: usize| sides[n] * ((depths[n] - depths[0]) / area));
         let depth = rest[0] + rest[1] + DVec3::new(0.0, 0.0, depths[0]);
-        (area != 0.0).then_some(Self { corners: [a, b, c], sides, depth })
+        (doubled != 0).then_some(Self { sides, depth })
     }
 }
 
 /// The share of the pixel (x, y) in which each surface is seen, from 0 to 1. Of equal depths the first is seen. Off by some
-/// 10⁻¹² for corners within 10⁴ px, rounding; of two surfaces in one plane, whose depths differ by rounding, either may be seen
+/// 10⁻¹², rounding; of two surfaces in one plane, whose depths differ by rounding, either may be seen
 /// unless the depths are all one number.
 #[must_use]
 pub fn shares(surfaces: &[Surface], x: i32, y: i32) -> Vec<f64> {
@@ -63,8 +66,8 @@ pub fn shares(surfaces: &[Surface], x: i32, y: i32) -> Vec<f64> {
     let others = |n: usize| prepared.iter().enumerate().filter(move |other| other.0 != n);
     let seen = |(n, surface): (usize, &Option<Prepared>)| {
         let Some(surface) = surface else { return 0.0 };
-        let square = [DVec3::X, DVec3::Y, DVec3::new(-1.0, 0.0, 1.0), DVec3::new(0.0, -1.0, 1.0)];
-        let mut parts = vec![square.iter().fold(surface.corners.to_vec(), |part, &line| inner(&part, line))];
+        // The square is cut by the triangle, and not the other way round: its corners are near.
+        let mut parts = vec![surface.sides.iter().fold(SQUARE.to_vec(), |part, &line| inner(&part, line))];
         for (m, nearer) in others(n) {
             let Some(Prepared { sides: [p, q, r], depth, .. }) = nearer else { continue };
             let before = surface.depth - depth;
@@ -178,6 +181,16 @@ mod tests {
                 are(pixel, &[area::area(corners, x, y); 3]);
             }
         }
+    }
+
+    /// However far the corners, and whatever is near: half of the pixels on a diagonal.
+    #[test]
+    fn corners_may_be_as_far_as_can_be_counted() {
+        let far = 4_503_599_627_370_496.0;
+        let half = surface([[-far, -far, 0.5], [far, -far, 0.5], [far, far, 0.5]]);
+        are(&shares(&[half], 3, 3), &[0.5]);
+        are(&shares(&[half], 3, 2), &[1.0]);
+        are(&shares(&[half], 2, 3), &[0.0]);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! What happens to a fragment on its way to a sample, operation by operation, by OpenGL's names, in rational numbers and bit by
 //! bit.
 //!
-//! Sources: OpenGL 4.6 (core), 17.3.2 scissor, 17.3.3 stencil, 17.3.4 depth, 17.3.6 blending, 17.3.9 logic operations, 17.4.2
-//! write masks.
+//! Source: OpenGL 4.6 (core), *Scissor Test*, *Stencil Test*, *Depth Buffer Test*, *Blending*, *Logical Operation* and *Fine
+//! Control of Buffer Updates*.
 
 use std::cmp::Ordering;
 

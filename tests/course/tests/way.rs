@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 use course::{Missions, hints, list};
@@ -12,6 +12,7 @@ use tasks::{COURSE, lessons, name};
 use tempfile::{TempDir, tempdir};
 
 use crate::copy::Copy;
+use crate::one_more::files;
 
 /// What stands in each mission of that folder.
 const MINE: &str = "mine\n";
@@ -258,11 +259,9 @@ fn is_telling(line: &str) -> bool {
 
 /// The lines of a lesson's code and of its mission's solution that none may see too early.
 fn solution(lesson: &str) -> BTreeSet<String> {
-    let sources = Path::new(COURSE).join("lessons").join(lesson).join("src");
-    let sources =
-        fs::read_dir(sources).expect("a lesson has code").map(|entry| entry.expect("it can be read").path());
-    let solution = Path::new(COURSE).join("tests/lessons").join(lesson).join("solution.rs");
-    let paths: Vec<PathBuf> = sources.chain([solution]).filter(|path| !path.ends_with("main.rs")).collect();
+    let mut paths = files(&Path::new(COURSE).join("lessons").join(lesson).join("src"));
+    paths.push(Path::new(COURSE).join("tests/lessons").join(lesson).join("solution.rs"));
+    paths.retain(|path| !path.ends_with("main.rs"));
     let texts = paths.iter().map(|path| fs::read_to_string(path).expect("it is text"));
     texts
         .flat_map(|text| text.lines().map(|line| line.trim().to_string()).collect::<Vec<_>>())

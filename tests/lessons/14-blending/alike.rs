@@ -24,7 +24,7 @@ use perspective::scene::Loaded;
 use perspective::{perspective, view};
 use verify::method;
 
-fn read([model, texture]: [&str; 2]) -> Filterable {
+pub(crate) fn read([model, texture]: [&str; 2]) -> Filterable {
     let model = Model::read(Path::new(model), Attributes { normals: true, uvs: true }).unwrap();
     let texture = Image::read(Path::new(texture)).unwrap();
     let texture = if texture.width() < 16 { fine(&texture) } else { texture };
@@ -35,7 +35,11 @@ fn read([model, texture]: [&str; 2]) -> Filterable {
     )
 }
 
-const HEAD: [&str; 2] = [common::program::model::DEFAULT_MODEL, common::program::model::DEFAULT_TEXTURE];
+pub(crate) const HEAD: [&str; 2] =
+    [common::program::model::DEFAULT_MODEL, common::program::model::DEFAULT_TEXTURE];
+
+pub(crate) const FLOOR: [&str; 2] = SLABS;
+pub(crate) const WOOD: [&str; 2] = CRATE;
 
 /// Lesson 13's view, of a picture that is wider than high.
 fn to_clip() -> Mat4 {
@@ -97,7 +101,7 @@ fn with_everything_off_pixels_and_depths_are_lesson_13s() {
     assert!(drawn(&surfaces, Nearest, state) == expected);
 }
 
-fn crate_view() -> View {
+pub(crate) fn crate_view() -> View {
     let eye = Vec3::new(0.6, 1.2, 3.25);
     let to_clip = perspective(45.0, 1.0, 0.1, 100.0).unwrap() * view(eye, Vec3::ZERO, Vec3::Y).unwrap();
     View { to_clip, eye, light: PointLight::default() }

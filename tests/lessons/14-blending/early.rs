@@ -3,11 +3,12 @@
 
 use std::cell::Cell;
 
+use blending::depth::DepthStage;
 use blending::{
-    AnyState, Compare, DepthTest, Framebuffer, Late, Less, Operations, Over, Replaced, State, StencilOp,
-    StencilTest, TwoShift,
+    AnyState, Buffers, Compare, DepthTest, Framebuffer, Late, Less, Operations, Outputs, Over, Replaced,
+    State, StencilOp, StencilTest, TwoShift,
 };
-use common::{Bounds, Color, Format, IVec2, Image, Vec4};
+use common::{Bounds, Color, Format, IVec2, Image, Vec3, Vec4};
 use fastrand::Rng;
 use perspective::division::Exact;
 use perspective::interpolation::PerPixel;
@@ -243,16 +244,54 @@ fn a_replaced_depth_may_be_nan() {
     }
 }
 
-/// A target that was cleared is as good as new, tested early or late.
+/// A target that was cleared is as good as new, tested early or late, whatever it takes.
 #[test]
 fn a_framebuffer_is_cleared() {
     let state = State { scissor: (), stencil: COUNTS, depth: Less, blend: Over(TwoShift), mask: () };
-    let [mut image, mut other] = [(); 2].map(|()| Image::new(41, 27, Format::Rgba));
-    let mut target = Late(Framebuffer::new(&mut image, state));
-    draw(&Shaded { discards: false, calls: Cell::new(0) }, &triangles(1), &mut target);
-    assert!(target.0.stencils.iter().any(|&stencil| stencil > 0));
-    Target::<Color>::clear(&mut target);
-    let new = Framebuffer::new(&mut other, state);
-    assert!(target.0.stencils == new.stencils && target.0.depths == new.depths);
-    assert!(target.0.image == new.image);
+    for replaced in [false, true] {
+        let [mut image, mut other] = [(); 2].map(|()| Image::new(41, 27, Format::Rgba));
+        let mut target = Late(Framebuffer::new(&mut image, state));
+        draw(&Shaded { discards: false, calls: Cell::new(0) }, &triangles(1), &mut target);
+        assert!(target.0.stencils.iter().any(|&stencil| stencil > 0));
+        if replaced {
+            Target::<Replaced<Color>>::clear(&mut target);
+        } else {
+            Target::<Color>::clear(&mut target);
+        }
+        let new = Framebuffer::new(&mut other, state);
+        assert!(target.0.stencils == new.stencils && target.0.depths == new.depths);
+        assert!(target.0.image == new.image);
+    }
+}
+
+/// So are buffers of several outputs.
+#[test]
+fn several_buffers_are_cleared() {
+    let [mut image, mut other] = [(); 2].map(|()| Image::new(3, 2, Format::Rgb));
+    let mut target = Buffers::new(Framebuffer::new(&mut image, State::OFF));
+    assert!(target.test(2, 1, 0.5) && !target.test(2, 1, 1.0));
+    target.write(2, 1, 0.5, Outputs { color: Color::RED, normal: Vec3::Y, distance: 7.0 });
+    assert_eq!((target.normals[5], target.distances.get(2, 1)), (Vec3::Y, 7.0));
+    assert!(!target.test(2, 1, 0.5));
+    target.clear();
+    let new = Buffers::new(Framebuffer::new(&mut other, State::OFF));
+    assert!(target.normals == new.normals && target.distances == new.distances);
+    assert!(
+        target.framebuffer.depths == new.framebuffer.depths
+            && *target.framebuffer.image == *new.framebuffer.image
+    );
+}
+
+/// Without a depth test, by type or when the program runs, all pass and no depth is kept.
+#[test]
+fn without_a_depth_test_all_pass() {
+    fn check<D: DepthStage>(depth: D) {
+        for (fragment, kept) in [(0.25, 0.5), (0.75, 0.5), (f32::NAN, 0.5)] {
+            assert!(depth.passes(fragment, kept) && !depth.writes());
+        }
+    }
+    check(());
+    check(None::<DepthTest>);
+    check(None::<Less>);
+    assert!(Less.writes() && !Some(Less).passes(0.5, 0.5) && Some(Less).writes());
 }

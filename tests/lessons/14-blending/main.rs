@@ -6,6 +6,7 @@ mod glass;
 mod layers;
 mod order;
 mod properties;
+mod scenes;
 mod snapshots;
 mod spaces;
 mod stability;

@@ -93,6 +93,9 @@ fn flags_are_heard() {
         (&[][..], [rgb(127, 128, 0), rgb(255, 0, 0)]),
         (&["--scissor", "0,0,3,4"], [rgb(127, 128, 0), rgb(0, 0, 0)]),
         (&["--scissor", "5,0,3,4"], [rgb(0, 0, 0), rgb(255, 0, 0)]),
+        (&["--scissor", "0,0,8,1"], [rgb(0, 0, 0); 2]),
+        (&["--scissor", "1,1,6,1"], [rgb(127, 128, 0), rgb(255, 0, 0)]),
+        (&["--scissor", "2,1,4,1"], [rgb(0, 0, 0); 2]),
         (&["--depth-test", "never"], [rgb(0, 0, 0); 2]),
         (&["--depth-test", "greater"], [rgb(0, 0, 0); 2]),
         (&["--depth-test", "less"], [rgb(127, 128, 0), rgb(255, 0, 0)]),
@@ -191,4 +194,16 @@ fn a_turn_around_the_crates() {
     let output = run(LESSON.name, folder.path(), &["--turntable", "3", "--size", "30x30", "--out", "a.png"]);
     assert_eq!(String::from_utf8_lossy(&output.stdout), "3 pictures\n");
     assert_eq!(names(folder.path()), ["a-000.png", "a-001.png", "a-002.png"]);
+}
+
+/// Each scene has its depths, of what of it has any.
+#[test]
+fn depths_of_every_scene() {
+    for scene in ["crates", "outline", "mirror", "outputs", "glass", "fern"] {
+        let folder = tempdir().unwrap();
+        let arguments = ["--show", scene, "--size", "60x60", "--depth", "d.png", "--out", "a.png"];
+        assert!(run(LESSON.name, folder.path(), &arguments).status.success(), "{scene}");
+        let depths = Image::read(&folder.path().join("d.png")).unwrap();
+        assert!(depths.pixels().any(|pixel| pixel.2 == Color::WHITE), "{scene}");
+    }
 }

@@ -74,6 +74,14 @@ proptest! {
         }
     }
 
+    /// At the far corner of a picture 1024 px wide a share is off by a fiftieth of a grey level at most.
+    #[test]
+    fn shares_are_areas_far_from_the_origin(corners in [corner(), corner(), corner()], x in 0..SIDE, y in 0..SIDE) {
+        let far = corners.map(|corner| corner + 1000.0);
+        let off = area(far, IVec2::new(x, y) + 1000) - exact(far, x + 1000, y + 1000);
+        prop_assert!(off.abs() < 1.0 / 50.0 / 255.0, "{off}");
+    }
+
     /// What is linear on the triangle has the same mean in parts as on the whole: a third of each corner.
     #[test]
     fn weights_are_those_of_the_centroid(corners in [corner(), corner(), corner()]) {

@@ -74,9 +74,9 @@ fn head() -> Filterable {
 /// Lets `with` have a scene of the head, as the lesson's own picture shows it, in a picture of that size.
 fn before_the_head<R>(size: [u16; 2], with: impl FnOnce(&Scene, Image) -> R) -> R {
     let model = head();
-    let eye = Vec3::new(3.1, 0.25, 1.0);
+    let (eye, center) = (Vec3::new(3.3, 0.25, 1.05), Vec3::new(0.0, -0.03, 0.0));
     let aspect = f32::from(size[0]) / f32::from(size[1]);
-    let look = perspective::view(eye, Vec3::ZERO, Vec3::Y).unwrap();
+    let look = perspective::view(eye, center, Vec3::Y).unwrap();
     let to_clip = perspective(45.0, aspect, 0.1, 100.0).unwrap() * look;
     let view = View { to_clip, eye, light: PointLight::default() };
     let entities = [Entity { model: &model, to_world: Mat4::IDENTITY, alpha: 1.0 }];

@@ -200,6 +200,20 @@ proptest! {
         }
     }
 
+    /// Neighbours of one colour leave nothing of the background at their common sides, however they are cut.
+    #[test]
+    fn nothing_shines_through_between_neighbours(hub in corner(), color in opaque(), background in opaque(), first in 0..4_usize) {
+        let rim = [[-9.0, -8.0], [13.3, -7.1], [21.0, 20.4], [-7.7, 19.0]].map(Vec2::from);
+        let triangle = |n: usize| {
+            let corners = [hub, rim[n % 4], rim[(n + 1) % 4]];
+            Surface { corners: corners.map(|corner| corner.extend(0.5)), color }
+        };
+        let scene = Scene { size: [9, 7], background, triangles: (first..first + 4).map(triangle).collect() };
+        for method in METHODS.iter().filter(|method| method.name != "area") {
+            prop_assert!(scene.drawn(&method.run).pixels().all(|pixel| pixel.2 == color), "{}", method.name);
+        }
+    }
+
     /// Where the colour is the same all over a pixel, shading once is as good as at each sample.
     #[test]
     fn shading_once_changes_no_colour_that_is_constant(scene in scene()) {

@@ -38,7 +38,7 @@ impl Compare {
     ];
 
     /// Whether a and b, in this order, are so.
-    pub fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
+    pub fn holds<T: PartialOrd + Copy>(self, a: T, b: T) -> bool {
         match self {
             Self::Always => true,
             Self::Never => false,
