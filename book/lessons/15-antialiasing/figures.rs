@@ -97,8 +97,8 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "antialiasing-centre",
-        "A fan of thin triangles from orange to blue, twice, enlarged. On the left its borders are beset with white pixels; on \
-         the right there are none.",
+        "A fan of thin triangles, each from orange to blue, twice, enlarged. On the left white pixels are sprinkled along their \
+         sides; on the right there are none.",
         centre,
     ),
     Figure::new(
@@ -199,7 +199,7 @@ fn shares() -> anyhow::Result<Drawing> {
         let normal = (to - from).perp().normalize();
         painted(image.width() as u16, image.height() as u16, |x, y| {
             let place = (Vec2::new(x as f32, y as f32) + 0.5) / f32::from(TIMES);
-            let grid = [x, y].iter().any(|n| n % i32::from(TIMES) == 0);
+            let grid = [x, y].iter().any(|n| n % i32::from(TIMES) < 2);
             let color = image.get(x, y).unwrap_or(Color::BLACK);
             match (place - from).dot(normal).abs() {
                 off if off < 0.035 => Color::rgb(0xd5, 0x5e, 0x00),
@@ -247,10 +247,16 @@ fn strips() -> anyhow::Result<Drawing> {
 
 /// Two triangles that run through one another.
 fn crossed() -> [Surface; 2] {
-    let surface = |corners: [(f32, f32, f32); 3], color| Surface { corners: corners.map(Vec3::from), color };
+    // The planes of the two.
+    let depths =
+        [|x: f32, y: f32| 0.2 + (6.0 * x + y) / 360.0, |x: f32, y: f32| 0.9 - (6.0 * x + 2.0 * y) / 360.0];
+    let surface = |corners: [(f32, f32); 3], depth: fn(f32, f32) -> f32, color| Surface {
+        corners: corners.map(|(x, y)| Vec3::new(x, y, depth(x, y))),
+        color,
+    };
     [
-        surface([(2.5, 5.0, 0.2), (30.0, 2.2, 0.8), (24.0, 33.5, 0.55)], Color::rgb(0xf2, 0xc1, 0x4e)),
-        surface([(34.0, 8.5, 0.3), (28.5, 31.0, 0.32), (3.5, 25.0, 0.6)], Color::rgb(0x1f, 0x5f, 0x94)),
+        surface([(2.5, 5.2), (33.6, 3.1), (17.3, 34.2)], depths[0], Color::rgb(0xf2, 0xc1, 0x4e)),
+        surface([(34.6, 30.1), (3.2, 27.4), (20.4, 1.8)], depths[1], Color::rgb(0x1f, 0x5f, 0x94)),
     ]
 }
 
@@ -365,8 +371,9 @@ impl Head {
 /// The lesson's picture, as its program draws it.
 fn head() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 800;
-    let light = PointLight { position: Vec3::new(-2.0, 2.5, 2.0), ambient: 0.12, ..PointLight::default() };
-    let head = Head::seen((Vec3::new(3.1, 0.25, 1.0), Vec3::ZERO, 45.0), light)?;
+    let position = Vec3::new(0.9, 1.6, 3.0);
+    let light = PointLight { position, ambient: 0.1, diffuse: 0.9, ..PointLight::default() };
+    let head = Head::seen((Vec3::new(3.3, 0.25, 1.05), Vec3::new(0.0, -0.03, 0.0), 45.0), light)?;
     let entities = [head.entity()];
     let rays = fan(Vec2::splat(SIDE.into()));
     let scene = Scene { world: Some(head.world(&entities)), ..Scene::of(&rays, Color::BLACK) };
@@ -396,22 +403,23 @@ fn touched() -> anyhow::Result<Drawing> {
     rows_of(&[pictures.into()])
 }
 
-/// A fan of thin triangles, each with a strip of a texture from one long side to the other: orange to blue. Beside the strip
-/// the texture is white.
-fn striped_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
+/// A fan of thin triangles with common sides, each with a triangle of a texture, from orange on one side to blue on the other.
+/// Beside that the texture is white.
+fn textured_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
     let mut image = Image::new(width, height, Format::Rgb);
     let mut canvas = C::new([width, height].map(usize::from), false);
     canvas.clear(NIGHT);
     let tip = Vec2::new(-9.0, -9.0);
-    for n in 0..13 {
+    for n in 0..12 {
         let at = |part: f32| tip + 66.0 * Vec2::from_angle(0.08 + (n as f32 + part) * 0.11);
-        let corners = [tip, at(0.0), at(0.45)].map(|corner| corner.extend(0.5).extend(1.0));
-        canvas.fill(State::OFF, corners, [0.5, 0.0, 1.0], |fragment| {
+        let corners = [tip, at(0.0), at(1.0)].map(|corner| corner.extend(0.5).extend(1.0));
+        canvas.fill(State::OFF, corners, [Vec2::ZERO, Vec2::X, Vec2::Y], |fragment| {
+            let (uv, sum) = (fragment.varying, fragment.varying.element_sum());
+            // On a side, rounding is no fault.
+            let beside = uv.min_element() < -1e-3 || sum > 1.001;
             let (orange, blue) = (Vec3::new(236.0, 140.0, 30.0), Vec3::new(40.0, 120.0, 190.0));
-            let texel = |u: f32| orange.lerp(blue, u).to_array().map(|channel| channel as u8);
-            let strip = (0.0..=1.0).contains(&fragment.varying);
-            let [r, g, b] = texel(fragment.varying);
-            Some(if strip { Color::rgb(r, g, b) } else { Color::WHITE })
+            let [r, g, b] = orange.lerp(blue, uv.y / sum).to_array().map(|channel| channel as u8);
+            Some(if beside { Color::WHITE } else { Color::rgb(r, g, b) })
         });
     }
     canvas.resolve(resolve, &mut image);
@@ -421,7 +429,7 @@ fn striped_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
 fn centre() -> anyhow::Result<Drawing> {
     const SIZE: [u16; 2] = [49, 44];
     let pictures =
-        [striped_fan::<Multisampled<16, Compressed<16>, PerCenter>>(SIZE), striped_fan::<Sixteen>(SIZE)];
+        [textured_fan::<Multisampled<16, Compressed<16>, PerCenter>>(SIZE), textured_fan::<Sixteen>(SIZE)];
     rows_of(&[pictures.iter().map(|image| enlarged(image, 9)).collect()])
 }
 

@@ -12,7 +12,7 @@ use crate::lessons::Lesson;
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: antialiasing::LESSON,
     methods: "nine ways to find how much of a pixel a triangle covers, two to make one colour of its samples, two to keep them",
-    picture: "The head and a fan of thin triangles, without stairs",
+    picture: "The head before rays of thin triangles, without stairs",
     more_pictures: &[],
     figures: figures::FIGURES,
     #[cfg(feature = "measure")]
