@@ -199,6 +199,49 @@ proptest! {
         }
     }
 
+    /// Asked at another place than its centre, a row has the pixels of which that place is inside, however far out the corners
+    /// are; the triangle has no others, whatever places it was made ready for; and from centre to place edge functions
+    /// change by as much in each pixel.
+    #[test]
+    fn a_row_may_be_asked_at_any_place(
+        corners in prop_oneof![[corner(), corner(), corner()], [far_corner(), far_corner(), far_corner()]],
+        places in prop::array::uniform4(-128_i64..=128),
+        more in prop::array::uniform4(0_i64..=9),
+        near in [corner(), corner(), corner()],
+    ) {
+        let [x, y, right, up] = places;
+        let all = [[x, y], [right, up], [x, up]];
+        let [low, high] = [i64::min, i64::max].map(|pick| [pick(x, right), pick(y, up)]);
+        let bounds = window(24, 24);
+        // The places may be fewer than those that the triangle is made ready for.
+        let reach = [[low[0] - more[0], low[1] - more[1]], [high[0] + more[2], high[1] + more[3]]];
+        let reach = reach.map(|place| place.map(|n| n.clamp(-128, 128)));
+        let exact = Triangle::new(corners);
+        for [x, y] in all {
+            let inside = |(i, j): &(i32, i32)| {
+                let at = |pixel: i32, place: i64| i128::from(pixel) * 256 + 128 + i128::from(place);
+                exact.contains([at(*i, x), at(*j, y)])
+            };
+            let expected: Vec<_> = (0..24).flat_map(|j| (0..24).map(move |i| (i, j))).filter(inside).collect();
+            let Some(setup) = Setup::asked_at(corners, bounds, reach) else {
+                prop_assert_eq!(&expected, &[]);
+                continue;
+            };
+            let rows = setup.bounds.min.y..=setup.bounds.max.y;
+            let found = rows.flat_map(|j| setup.row_at(j, [x, y]).map(move |i| (i as i32, j)));
+            prop_assert_eq!(found.collect::<Vec<_>>(), expected);
+            // Near by, the same from the edge functions at the centres.
+            let Some(setup) = Setup::asked_at(near, bounds, reach) else { continue };
+            let Bounds { min, max } = setup.bounds;
+            for (i, j) in (min.y..=max.y).flat_map(|j| (min.x..=max.x).map(move |i| (i, j))) {
+                let center = setup.edges + setup.right * f64::from(i - min.x) + setup.up * f64::from(j - min.y);
+                let covers = (center + setup.offset([x, y])).cmpge(setup.inside).all();
+                let at = |pixel: i32, place: i64| i64::from(pixel) * 256 + 128 + place;
+                prop_assert_eq!(covers, setup.covers([at(i, x), at(j, y)]), "({}, {})", i, j);
+            }
+        }
+    }
+
     /// A point at 1/256 px is inside as a pixel's centre is, in a picture moved by as much.
     #[test]
     fn any_point_is_inside_as_a_centre_would_be(

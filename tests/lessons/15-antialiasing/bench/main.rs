@@ -16,7 +16,7 @@ use std::path::Path;
 use antialiasing::cover::fan;
 use antialiasing::multisampled::{Multisampled, PerPixel};
 use antialiasing::storage::{Compressed, Samples};
-use antialiasing::{Canvas, Draw, METHODS, STORAGES, Scene, World, render, resolve};
+use antialiasing::{Canvas, Draw, Frames, METHODS, STORAGES, Scene, World, render, resolve};
 use blending::scene::{Entity, View};
 use blending::{Framebuffer, State};
 use clipping::mesh::indexed;
@@ -117,7 +117,7 @@ impl Cover {
     }
 
     /// Draws it with the head so many times, each time as opaque.
-    fn draw(&self, draw: &Draw, alphas: &[f32], image: &mut Image) {
+    fn draw(&self, frames: &mut Frames, alphas: &[f32], image: &mut Image) {
         let entity = |&alpha| Entity { model: &self.head, to_world: Mat4::IDENTITY, alpha };
         let entities: Vec<Entity> = alphas.iter().map(entity).collect();
         let eye = Vec3::new(3.3, 0.25, 1.05);
@@ -125,8 +125,13 @@ impl Cover {
             View { to_clip: camera(eye, Vec3::new(0.0, -0.03, 0.0)), eye, light: PointLight::default() };
         let world = World { entities: &entities, view, cull: Cull::Back };
         let scene = Scene { world: Some(world), ..Scene::of(&self.rays, Color::BLACK) };
-        black_box((draw.picture)(&scene, image));
+        black_box(frames(&scene, image));
     }
+}
+
+/// Pictures by one way to draw, which keeps its canvas.
+fn kept(draw: &Draw) -> Frames {
+    (draw.frames)([800; 2], false)
 }
 
 /// Triangles with right angles and legs of so many pixels, which cover a picture, none on whole pixels.
@@ -157,13 +162,14 @@ fn ratios(_: &mut Criterion) {
     let cover = Cover::new(800);
     let [mut a, mut b] = [canvas(800), canvas(800)];
     for row in METHODS {
-        let none = method(METHODS, "none");
-        let taken = ratio(|| cover.draw(&row.run, &[1.0], &mut a), || cover.draw(none, &[1.0], &mut b));
+        let [mut by_row, mut none] = [&row.run, method(METHODS, "none")].map(kept);
+        let taken =
+            ratio(|| cover.draw(&mut by_row, &[1.0], &mut a), || cover.draw(&mut none, &[1.0], &mut b));
         println!("800x800: {} / none: {taken:.3}", row.name);
     }
     for (what, alphas) in [("opaque", &[1.0][..]), ("six layers", &[0.3; 6])] {
-        let [plain, one] = ["samples", "compressed"].map(|name| method(STORAGES, name));
-        let taken = ratio(|| cover.draw(one, alphas, &mut a), || cover.draw(plain, alphas, &mut b));
+        let [mut plain, mut one] = ["samples", "compressed"].map(|name| kept(method(STORAGES, name)));
+        let taken = ratio(|| cover.draw(&mut one, alphas, &mut a), || cover.draw(&mut plain, alphas, &mut b));
         println!("800x800: {what}, compressed / samples: {taken:.3}");
     }
     for leg in SIZES {
@@ -205,7 +211,8 @@ fn methods(c: &mut Criterion) {
         let mut group = c.benchmark_group(group);
         group.sample_size(10);
         for row in rows {
-            group.bench_function(row.name, |b| b.iter(|| cover.draw(&row.run, &[1.0], &mut image)));
+            let mut frames = kept(&row.run);
+            group.bench_function(row.name, |b| b.iter(|| cover.draw(&mut frames, &[1.0], &mut image)));
         }
     }
 }
