@@ -97,7 +97,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "antialiasing-centre",
-        "A fan of thin triangles, each from orange to blue, twice, enlarged. On the left white pixels are sprinkled along their \
+        "A fan of thin triangles, each from orange to blue, twice, enlarged. On the left pale pixels are sprinkled along their \
          sides; on the right there are none.",
         centre,
     ),
