@@ -129,7 +129,10 @@ pub(crate) const STORAGES_CHART: Chart = Chart {
         measure: storage_stability,
     },
     wrong: &[],
-    advice: &[("compressed", "always"), ("samples", "where nearly each pixel has an edge in it")],
+    advice: &[
+        ("compressed", "triangles of ten pixels and more"),
+        ("samples", "smaller ones, where nearly each pixel has a side in it"),
+    ],
 };
 
 /// The sides of the pictures that errors are measured in.
