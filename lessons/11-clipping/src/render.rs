@@ -101,7 +101,8 @@ pub fn render<S: Shader + ?Sized>(
 /// Calls `fill(constant, corners, varyings)` for each triangle that is to be filled in a picture of that size, whoever
 /// fills it: with what the shader's own step for the triangle gave, with corners in the window, x and y in pixels, the
 /// depth and 1/w, and with what is interpolated from them. A triangle that is cut comes as the triangles it is taken
-/// apart into. [`Clipping::Homogeneous`] has no corners in the window: what it needs not cut is left out here.
+/// apart into. [`Clipping::Homogeneous`] cuts nothing: a triangle whose corners all have a place in the window comes
+/// whole, any other is left out and counted.
 ///
 /// # Panics
 /// As [`render`].

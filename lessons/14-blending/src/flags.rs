@@ -170,7 +170,7 @@ fn rectangle(text: &str) -> Result<Bounds, String> {
         return Err("width and height must be 0 or more".into());
     }
     let min = IVec2::new(x, y);
-    // A rectangle of no width ends before it begins, and so does one that begins at the last number there is.
+    // A rectangle of no width ends before it begins.
     let max = IVec2::new(x.saturating_add(width - 1), y.saturating_add(height - 1));
     Ok(Bounds { min, max })
 }

@@ -36,9 +36,9 @@ enum Show {
     Mirror,
     /// Colours, normals, distances, and what is made of them.
     Outputs,
-    /// Panes of glass that have no order.
+    /// Panes of glass that have no order, on paper.
     Glass,
-    /// A fern that its alpha cuts out, enlarged.
+    /// A fern that its alpha cuts out, enlarged, before a wall.
     Fern,
 }
 
@@ -56,7 +56,8 @@ struct Flags {
     #[arg(long, value_enum, default_value_t = Show::Crates)]
     show: Show,
 
-    /// The order of what is transparent: drawn, sorted, peeling, list or weighted [default: drawn, for glass list]
+    /// The order of what is transparent: drawn, sorted, peeling, list or weighted [default: none, as it comes and with
+    /// its depths kept; for glass list]
     #[arg(long, value_name = "NAME")]
     transparency: Option<String>,
 
@@ -81,6 +82,40 @@ struct Flags {
     turntable: TurntableFlag,
     #[command(flatten)]
     camera: CameraFlags,
+}
+
+/// The flags of the state, as a sentence lists them.
+const STATE: &str = "--scissor, --stencil, --depth-test, --blend, --blend-alpha, --blend-color, --equation, --logic or --write-mask";
+
+impl Flags {
+    /// Refuses what does not go together, and what the scene cannot take.
+    fn check(&self, transparency: Option<Transparency>, space: bool) -> Result<(), UsageError> {
+        let state = self.state.are_given();
+        if state && (transparency.is_some() || space) {
+            let why = format!("--transparency and --space lay one layer over another: leave out {STATE}");
+            return Err(UsageError(why));
+        }
+        if transparency == Some(Transparency::Weighted) && space {
+            let why = "--transparency weighted lays no layer over another: leave out --space";
+            return Err(UsageError(why.into()));
+        }
+        let (scene, [takes_state, takes_order, takes_space]) = match self.show {
+            _ if !self.triangles.triangles.is_empty() => return Ok(()),
+            Show::Crates => return Ok(()),
+            Show::Outline => ("outline", [false, false, false]),
+            Show::Mirror => ("mirror", [false, false, false]),
+            Show::Outputs => ("outputs", [false, false, false]),
+            Show::Glass => ("glass", [false, true, true]),
+            Show::Fern => ("fern", [false, false, true]),
+        };
+        let given = [
+            (state && !takes_state, STATE),
+            (transparency.is_some() && !takes_order, "--transparency"),
+            (space && !takes_space, "--space"),
+        ];
+        let Some((_, flag)) = given.into_iter().find(|&(refused, _)| refused) else { return Ok(()) };
+        Err(UsageError(format!("--show {scene} takes no {flag}: leave it out")))
+    }
 }
 
 /// What is to be drawn, and how.
@@ -152,11 +187,7 @@ impl Program for Blending {
         let transparency = transparency.map(|name| named(TRANSPARENCY, "transparency", name)).transpose()?;
         let space = named(SPACES, "space", &flags.space)?;
         let space = (flags.space != SPACES[0].name).then_some(*space);
-        if flags.state.are_given() && (transparency.is_some() || space.is_some()) {
-            let why = "--transparency and --space lay one layer over another: leave out --scissor, --stencil, --depth-test, \
-                       --blend, --blend-alpha, --equation, --logic and --write-mask";
-            return Err(UsageError(why.into()).into());
-        }
+        flags.check(transparency.copied(), space.is_some())?;
         let (scene, stencil) = (Scene::read(&flags)?, flags.state.read_stencil()?);
         Ok(Self { scene, stencil, transparency: transparency.copied(), space, flags })
     }
@@ -229,9 +260,11 @@ impl Blending {
         view: &View,
         picture: &mut Image,
     ) -> anyhow::Result<Drawn> {
-        if !self.flags.state.are_given() {
-            let transparency = self.transparency.unwrap_or(Transparency::Drawn);
+        if let Some(transparency) = self.transparency {
             return Ok(scene::draw_by(transparency, entities, view, Cull::Back, layer, picture));
+        }
+        if self.space.is_some() {
+            return Ok(scene::draw(entities, view, layer, picture));
         }
         let mut image = with_alpha(picture);
         let target = self.target(&mut image)?;
@@ -240,21 +273,25 @@ impl Blending {
         Ok(Drawn { depths, counts })
     }
 
-    /// Draws the triangles that were asked for likewise. Under a state they come in the order given, in orders and spaces the
-    /// opaque ones first.
+    /// Draws the triangles that were asked for likewise. They come in the order given, and their depths are kept; where an order
+    /// is asked for, the opaque ones come first, and the others leave no depths.
     fn draw_triangles(&self, method: &Divide, layer: Layer, picture: &mut Image) -> anyhow::Result<Drawn> {
         let triangles = &self.flags.triangles.triangles;
         let mut image = with_alpha(picture);
-        let depths = if self.transparency.is_none() && self.space.is_none() {
-            (method.triangles_under)(self.target(&mut image)?, triangles).depths
-        } else {
+        let depths = if let Some(transparency) = self.transparency {
             let (opaque, transparent): (Vec<Surface>, Vec<Surface>) =
                 triangles.iter().partition(|surface| surface.color.a == 255);
             let mut target = Framebuffer::new(&mut image, State::OFF);
             plain::draw(&opaque, &mut target);
             let Framebuffer { image, depths, .. } = target;
-            self.transparency.unwrap_or(Transparency::Drawn).draw(&transparent, layer, image, &depths);
+            transparency.draw(&transparent, layer, image, &depths);
             depths
+        } else if self.space.is_some() {
+            let mut target = Framebuffer::new(&mut image, State::blending(layer));
+            plain::draw(triangles, &mut target);
+            target.depths
+        } else {
+            (method.triangles_under)(self.target(&mut image)?, triangles).depths
         };
         *picture = image;
         Ok(flat(depths))

@@ -78,7 +78,8 @@ pub fn scene<'a>(models: &'a [Filterable], wood: &'a Filterable) -> (Mirror<'a>,
     (mirror, models.iter().zip(places).map(entity).collect())
 }
 
-/// Draws a world and a mirror that stands in it over a picture.
+/// Draws a world and a mirror that stands in it over a picture. All of it counts as opaque. What stands behind the mirror's plane
+/// would be seen in the pane as well, since nothing is cut at the plane; there should be nothing that is seen through the pane.
 // ANCHOR: mirror
 pub fn draw(mirror: &Mirror, world: &[Entity], view: &View, image: &mut Image) -> Drawn {
     let pane = &mirror.pane.to_world;

@@ -12,7 +12,8 @@ pub struct Framebuffer<'a, S: Operations> {
     pub image: &'a mut Image,
     /// The depths of what is seen, 1 at first.
     pub depths: DepthBuffer<f32>,
-    /// What the stencil keeps of each pixel, rows from the bottom; no memory where there is no stencil.
+    /// What the stencil keeps of each pixel, rows from the bottom. Where there is no stencil it takes no memory, but
+    /// which pixel it is is checked nevertheless.
     pub stencils: Vec<S::Stencil>,
     /// What happens to fragments.
     pub state: S,

@@ -66,7 +66,7 @@ pub const TRANSPARENCY: &[Method<Transparency>] = &[
         name: "weighted",
         run: Transparency::Weighted,
         promise: "draws once, in any order, 20 bytes a pixel; right for one layer, and how much of the background is seen always is",
-        failure: "a mean is no order: a near opaque layer does not hide what is behind; the weights guess from the depth",
+        failure: "a mean is no order: a near opaque layer does not hide what is behind; the weights guess from the depth; it mixes codes, in no other space",
     },
 ];
 

@@ -46,12 +46,79 @@ fn wrong_command_lines() {
                 "leave out --scissor",
             ),
             (&["--transparency", "list", "--write-mask", "r"], "leave out --scissor"),
+            (&["--transparency", "list", "--blend-color", "102030"], "--blend-color"),
+            (
+                &["--transparency", "weighted", "--space", "linear-straight"],
+                "--transparency weighted lays no layer over another: leave out --space",
+            ),
             (&["--fov", "0"], "--fov 0"),
             (&["--eye", "1,2,3", "--center", "1,2,3"], "--eye and --center are one point: move one of them"),
             (&["--turntable", "3", "--depth", "a.png"], "cannot be used with"),
             (&["--wrap", "repeat"], "'--wrap': this lesson has no such flag"),
         ],
     );
+}
+
+/// What a scene cannot take is refused, and what it can take is not.
+#[test]
+fn flags_that_a_scene_cannot_take() {
+    let state: &[&str] = &["--logic", "xor"];
+    let order: &[&str] = &["--transparency", "sorted"];
+    let space: &[&str] = &["--space", "linear-straight"];
+    let all = [(state, "--blend-color"), (order, "--transparency"), (space, "--space")];
+    let triangle: &[&str] = &["--triangle", "0,0,9,0,0,9"];
+    for (scene, takes) in [
+        ("crates", [true, true, true]),
+        ("outline", [false, false, false]),
+        ("mirror", [false, false, false]),
+        ("outputs", [false, false, false]),
+        ("glass", [false, true, true]),
+        ("fern", [false, false, true]),
+    ] {
+        let shown = ["--show", scene];
+        for ((flags, named), taken) in all.into_iter().zip(takes) {
+            let arguments = [&shown[..], flags].concat();
+            if taken {
+                drop(draw(LESSON.name, &[&arguments[..], &["--size", "8x8"]].concat()));
+            } else {
+                usage::refuses(&LESSON, &[(&arguments, &format!("--show {scene} takes no"))]);
+                usage::refuses(&LESSON, &[(&arguments, named)]);
+            }
+            // Triangles are drawn instead of any scene, and take all.
+            drop(draw(LESSON.name, &[&arguments[..], triangle, &["--size", "8x8"]].concat()));
+        }
+    }
+}
+
+/// A near layer that comes before a far one: depths are kept, so that the far one is hidden, unless an order is asked for. To mix
+/// light instead of codes is no order.
+#[test]
+fn an_order_is_only_what_is_asked_for() {
+    let (near, far) = (triangle(LEFT, "00ff0080,0.25"), triangle(WHOLE, "ff000080,0.75"));
+    let both = ["--triangle", &near, "--triangle", &far];
+    let rgb = Color::rgb;
+    for (flags, expected) in [
+        (&[][..], [rgb(0, 128, 0), rgb(128, 0, 0)]),
+        (&["--space", "linear-straight"], [rgb(0, 188, 0), rgb(188, 0, 0)]),
+        (&["--transparency", "drawn"], [rgb(128, 64, 0), rgb(128, 0, 0)]),
+        (&["--transparency", "list"], [rgb(64, 128, 0), rgb(128, 0, 0)]),
+    ] {
+        assert_eq!(colors(&[&both[..], flags].concat()), expected, "{flags:?}");
+    }
+}
+
+/// So it is for entities: the smaller crate leaves its depths, unless an order is asked for.
+#[test]
+fn a_space_keeps_depths() {
+    let folder = tempdir().unwrap();
+    let depths = |flags: &[&str]| {
+        let arguments = [&["--size", "60x60", "--depth", "d.png", "--out", "a.png"][..], flags].concat();
+        assert!(run(LESSON.name, folder.path(), &arguments).status.success());
+        Image::read(&folder.path().join("d.png")).unwrap()
+    };
+    let usual = depths(&[]);
+    assert!(depths(&["--space", "linear-straight"]) == usual);
+    assert!(depths(&["--transparency", "drawn"]) != usual);
 }
 
 /// A stencil that is missing, or of another size.

@@ -5,7 +5,7 @@
 //! antialiasing algorithms implemented with the virtual pixel maps technique*, IEEE Computer Graphics and Applications 9,
 //! 1989); C. Everitt, on graphics hardware, from the front, and must keep the layers or mix them the other way round
 //! (*Interactive order-independent transparency*, NVIDIA, 2001), but may stop after a few, having seen the nearest. Here it is
-//! the back: the pixels are those of a sorted list, to the last bit.
+//! the back: where no two depths of a pixel are equal, it becomes that of a sorted list, to the last bit.
 
 use common::{Bounds, Color, Image};
 use shaders::target::Target;

@@ -15,8 +15,8 @@ use crate::plain;
 // ANCHOR: fill
 /// A triangle in the window, computed and cut.
 pub trait Fill {
-    /// The sum of its corners' depths.
-    fn depth(&self) -> f32;
+    /// The sum of its corners' depths, three times their mean.
+    fn depth_sum(&self) -> f32;
 
     /// Its fragments, to any target.
     fn fill(&self, target: &mut impl Target<Color>);
@@ -24,7 +24,7 @@ pub trait Fill {
 
 /// In one colour.
 impl Fill for Surface {
-    fn depth(&self) -> f32 {
+    fn depth_sum(&self) -> f32 {
         self.corners.iter().map(|corner| corner.z).sum()
     }
 
@@ -49,7 +49,7 @@ pub struct Placed<'a, S: Shader> {
 }
 
 impl<S: Shader<Output = Color>> Fill for Placed<'_, S> {
-    fn depth(&self) -> f32 {
+    fn depth_sum(&self) -> f32 {
         self.corners.iter().map(|corner| corner.z).sum()
     }
 
@@ -59,8 +59,8 @@ impl<S: Shader<Output = Color>> Fill for Placed<'_, S> {
     }
 }
 
-/// Adds those triangles of a mesh that are seen in a picture of that size to a list, in their order; what is not wholly in the
-/// picture is cut as lesson 11's guard band has it.
+/// Adds those triangles of a mesh that are seen in a picture of that size to a list, in their order. What reaches
+/// beyond the near plane, the far plane or lesson 11's guard band is cut.
 ///
 /// # Panics
 /// Where the mesh has a vertex or a face that the shader has not.

@@ -17,7 +17,7 @@ pub(super) fn draw(
     depths: &DepthBuffer<f32>,
 ) {
     let mut order: Vec<_> = transparent.iter().collect();
-    order.sort_by(|a, b| b.depth().total_cmp(&a.depth()));
+    order.sort_by(|a, b| b.depth_sum().total_cmp(&a.depth_sum()));
     let mut target = Layered { image, depths, blend };
     order.into_iter().for_each(|triangle| triangle.fill(&mut target));
 }
