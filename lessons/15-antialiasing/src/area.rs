@@ -154,13 +154,19 @@ pub struct Area {
 impl Canvas for Area {
     type Stencil = ();
 
-    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
+    fn new([width, height]: [usize; 2]) -> Self {
         let pixels = width * height;
         let bounds = Bounds { min: IVec2::ZERO, max: IVec2::new(width as i32, height as i32) - 1 };
-        Self { colors: vec![Color::BLACK; pixels], depths: vec![1.0; pixels], bounds, alpha_to_coverage }
+        Self {
+            colors: vec![Color::BLACK; pixels],
+            depths: vec![1.0; pixels],
+            bounds,
+            alpha_to_coverage: false,
+        }
     }
 
-    fn clear(&mut self, background: Color) {
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
+        self.alpha_to_coverage = alpha_to_coverage;
         self.colors.fill(background);
         self.depths.fill(1.0);
     }

@@ -15,12 +15,12 @@ pub trait Canvas {
     /// What a sample keeps for the stencil.
     type Stencil;
 
-    /// For a picture so wide and so high, all black. With `alpha_to_coverage` a fragment's alpha is the share of the samples
-    /// that it covers.
-    fn new(size: [usize; 2], alpha_to_coverage: bool) -> Self;
+    /// For a picture so wide and so high, all black, of which alpha covers no share.
+    fn new(size: [usize; 2]) -> Self;
 
-    /// Forgets all that was drawn: the picture is of one colour, and nothing is in front of it.
-    fn clear(&mut self, background: Color);
+    /// Forgets all that was drawn: the picture is of one colour, and nothing is in front of it. With `alpha_to_coverage` a
+    /// fragment's alpha is, from now on, the share of the samples that it covers.
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool);
 
     /// The size, in pixels, of what triangles are drawn to, which may be larger than the picture.
     fn size(&self) -> Vec2;

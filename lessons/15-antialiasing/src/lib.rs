@@ -66,8 +66,8 @@ pub struct Draw {
     pub picture: fn(&Scene, &mut Image) -> Counts,
     /// The nearest depth in each pixel of such a picture.
     pub depths: fn(&Scene, &Image) -> DepthBuffer<f32>,
-    /// Draws scenes, with such an alpha, into pictures of one size.
-    pub frames: fn([usize; 2], bool) -> Frames,
+    /// Draws scenes into pictures of one size.
+    pub frames: fn([usize; 2]) -> Frames,
     /// How many depths and colours it keeps for each pixel.
     pub samples: usize,
 }
@@ -77,8 +77,8 @@ impl Draw {
         Self {
             picture: |scene, picture| scene.draw::<C>(picture),
             depths: |scene, picture| scene.depths::<C>(picture),
-            frames: |size, alpha_to_coverage| {
-                let mut canvas = C::new(size, alpha_to_coverage);
+            frames: |size| {
+                let mut canvas = C::new(size);
                 Box::new(move |scene, picture| {
                     let counts = scene.draw_to(picture, &mut canvas);
                     canvas.resolve(scene.resolve, picture);

@@ -22,12 +22,12 @@ pub struct Ordered(Multisampled<1, Samples<1>>);
 impl Canvas for Ordered {
     type Stencil = ();
 
-    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
-        Self(Multisampled::new([width * TIMES, height * TIMES], alpha_to_coverage))
+    fn new([width, height]: [usize; 2]) -> Self {
+        Self(Multisampled::new([width * TIMES, height * TIMES]))
     }
 
-    fn clear(&mut self, background: Color) {
-        self.0.clear(background);
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
+        self.0.clear(background, alpha_to_coverage);
     }
 
     fn size(&self) -> Vec2 {

@@ -29,8 +29,8 @@ fn pixels() -> impl Iterator<Item = (i32, i32)> {
 }
 
 fn canvas<C: Canvas>(background: Color) -> C {
-    let mut canvas = C::new(SIZE.map(usize::from), false);
-    canvas.clear(background);
+    let mut canvas = C::new(SIZE.map(usize::from));
+    canvas.clear(background, false);
     canvas
 }
 
@@ -100,7 +100,7 @@ fn each_sample_has_a_stencil_of_its_own() {
         }
     }
     assert!(seen.iter().all(|&samples| samples > 0), "{seen:?}");
-    canvas.clear(Color::BLACK);
+    canvas.clear(Color::BLACK, false);
     assert!(canvas.stencils.iter().flatten().all(|&kept| kept == 0));
 }
 
@@ -166,7 +166,7 @@ fn depth_scissor_logic_and_mask_are_the_states() {
     let scissor = Bounds { min: IVec2::new(2, 1), max: IVec2::new(5, 4) };
     let mask = WriteMask { r: true, g: false, b: true, a: true };
     let state = State { scissor, stencil: (), depth: (), blend: LogicOp::Xor, mask };
-    canvas.clear(Color::rgb(15, 15, 15));
+    canvas.clear(Color::rgb(15, 15, 15), false);
     canvas.fill(state, at(right_of(-9.0), 0.5), [(); 3], |_| Some(Color::rgb(85, 85, 85)));
     let image = resolved(&canvas);
     for (x, y) in pixels() {
@@ -214,8 +214,8 @@ fn what_has_no_depth_or_no_w_is_left_out() {
 #[test]
 fn alpha_covers_samples_of_those_that_are_covered() {
     for alpha in [0, 15, 16, 100, 128, 240, 255] {
-        let mut canvas = Multisampled::<N, Samples<N>>::new(SIZE.map(usize::from), true);
-        canvas.clear(Color::BLACK);
+        let mut canvas = Multisampled::<N, Samples<N>>::new(SIZE.map(usize::from));
+        canvas.clear(Color::BLACK, true);
         let corners = fan([4.4, 3.1])[1];
         canvas.fill(State::OFF, at(corners, 0.5), [(); 3], |_| Some(Color { a: alpha, ..Color::WHITE }));
         for (pixel, at) in pixels().enumerate() {
@@ -288,7 +288,7 @@ fn a_canvas_forgets() {
         let mut kept: C = canvas(Color::WHITE);
         draw(&mut kept, 0.25);
         let first = resolved(&kept);
-        kept.clear(Color::WHITE);
+        kept.clear(Color::WHITE, false);
         assert!(resolved(&kept).pixels().all(|pixel| pixel.2 == Color::WHITE));
         draw(&mut kept, 0.75);
         assert!(resolved(&kept) == first);
