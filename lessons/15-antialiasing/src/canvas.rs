@@ -27,7 +27,11 @@ pub trait Canvas {
 
     /// Draws one triangle under a state of lesson 14. Corners are in the window: x and y in pixels of that size, the depth,
     /// and 1/w, above 0; the triangle is left out where lesson 10's loop would leave it out. `shade` makes a fragment's
-    /// colour, or `None`, which leaves everything as it is.
+    /// colour, or `None`, which leaves colours and depths as they are.
+    ///
+    /// The tests come first, with all that they do to the stencil, as for lesson 14's targets without `Late`: what `shade` or
+    /// alpha then leaves out has counted as passing. OpenGL has it so only where early tests are asked for; else it counts
+    /// just what is drawn. As the depth is tested before `shade` is asked, no shader can replace it.
     fn fill<V: Varying>(
         &mut self,
         state: impl Operations<Stencil = Self::Stencil>,
