@@ -378,7 +378,8 @@ fn head() -> anyhow::Result<Drawing> {
     let rays = fan(Vec2::splat(SIDE.into()));
     let scene = Scene { world: Some(head.world(&entities)), ..Scene::of(&rays, Color::BLACK) };
     let mut picture = by_method("msaa-16", &scene, [SIDE; 2])?;
-    magnify(&by_method("none", &scene, [SIDE; 2])?, &mut picture);
+    let stairs = by_method("none", &scene, [SIDE; 2])?;
+    magnify(|| stairs, &mut picture);
     Ok(Drawing::Pixels(picture, 1))
 }
 

@@ -127,7 +127,8 @@ impl<const N: usize> Plane<N> {
 
 // ANCHOR: centroid
 /// The edge functions at the centroid of those samples whose bits are set: the mean of those at the samples, as they are
-/// linear. None of these is negative, so the mean is not.
+/// linear. None of these is negative, so the mean is not, but by rounding: of triangles wider than 2¹⁶ px edge functions may be
+/// more than an `f64` holds exactly, and a mean next to 0 may end a little below it.
 #[cold]
 #[inline(never)]
 fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32) -> DVec3 {
