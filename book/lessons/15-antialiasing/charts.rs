@@ -273,7 +273,7 @@ fn drawing(ways: &'static [Method<Draw>], side: usize) -> Vec<Work> {
     let scene = Scene { world, ..Scene::of(&[], Color::BLACK) };
     let work = |way: &Method<Draw>| {
         let mut image = Image::new(PICTURE, PICTURE, Format::Rgb);
-        let mut frames = (way.run.frames)([PICTURE.into(); 2], false);
+        let mut frames = (way.run.frames)([PICTURE.into(); 2]);
         Work::new((SQUARE * SQUARE) as f64, move || frames(&scene, &mut image))
     };
     ways.iter().map(work).collect()

@@ -336,7 +336,7 @@ impl Head {
                 across += f64::from((a.max(b).max(c) - a.min(b).min(c)).element_sum());
             });
         }
-        let mut canvas = Sixteen::new([side.into(); 2], false);
+        let mut canvas = Sixteen::new([side.into(); 2]);
         let mut seen = vec![false; usize::from(side).pow(2)];
         self.draw(&mut canvas, |x, y| seen[y as usize * usize::from(side) + x as usize] = true);
         let pixels = seen.iter().filter(|&&seen| seen).count();
@@ -378,7 +378,8 @@ fn head() -> anyhow::Result<Drawing> {
     let rays = fan(Vec2::splat(SIDE.into()));
     let scene = Scene { world: Some(head.world(&entities)), ..Scene::of(&rays, Color::BLACK) };
     let mut picture = by_method("msaa-16", &scene, [SIDE; 2])?;
-    magnify(&by_method("none", &scene, [SIDE; 2])?, &mut picture);
+    let stairs = by_method("none", &scene, [SIDE; 2])?;
+    magnify(|| stairs, &mut picture);
     Ok(Drawing::Pixels(picture, 1))
 }
 
@@ -386,7 +387,7 @@ fn head() -> anyhow::Result<Drawing> {
 fn counted<C: Canvas<Stencil = ()>>(head: &Head, side: u16) -> Vec<usize> {
     let side = usize::from(side);
     let mut counts = vec![0; side * side];
-    head.draw(&mut C::new([side; 2], false), |x, y| counts[y as usize * side + x as usize] += 1);
+    head.draw(&mut C::new([side; 2]), |x, y| counts[y as usize * side + x as usize] += 1);
     counts
 }
 
@@ -407,8 +408,8 @@ fn touched() -> anyhow::Result<Drawing> {
 /// Beside that the texture is white.
 fn textured_fan<C: Canvas<Stencil = ()>>([width, height]: [u16; 2]) -> Image {
     let mut image = Image::new(width, height, Format::Rgb);
-    let mut canvas = C::new([width, height].map(usize::from), false);
-    canvas.clear(NIGHT);
+    let mut canvas = C::new([width, height].map(usize::from));
+    canvas.clear(NIGHT, false);
     let tip = Vec2::new(-9.0, -9.0);
     for n in 0..12 {
         let at = |part: f32| tip + 66.0 * Vec2::from_angle(0.08 + (n as f32 + part) * 0.11);
@@ -465,8 +466,8 @@ fn frond<C: Canvas<Stencil = ()>>(
         * Mat4::from_scale(Vec3::new(2.0, 2.0 * size.x / size.y, 1.0));
     let uniforms = Uniforms { to_clip, light: Vec3::Z, ..Uniforms::new(&model) };
     let shader = Filtered { uniforms, texture: &texture, filter: Trilinear, lighting: Flat, size };
-    let mut canvas = C::new([width, height].map(usize::from), alpha_to_coverage);
-    canvas.clear(WALL);
+    let mut canvas = C::new([width, height].map(usize::from));
+    canvas.clear(WALL, alpha_to_coverage);
     triangles(
         &shader,
         &mesh,
@@ -500,8 +501,8 @@ fn alpha() -> anyhow::Result<Drawing> {
 fn whole() -> anyhow::Result<Drawing> {
     const SIDE: u16 = 440;
     let head = Head::new()?;
-    let mut canvas = Sixteen::new([SIDE.into(); 2], false);
-    canvas.clear(NIGHT);
+    let mut canvas = Sixteen::new([SIDE.into(); 2]);
+    canvas.clear(NIGHT, false);
     head.draw(&mut canvas, |_, _| {});
     let mut seen = Image::new(SIDE, SIDE, Format::Rgb);
     canvas.resolve(resolve, &mut seen);
@@ -545,7 +546,7 @@ fn fans() -> anyhow::Result<Drawing> {
 fn wheels([background, color]: [Color; 2], wrong: impl Fn(&[Color]) -> Color) -> anyhow::Result<Drawing> {
     const SIDE: u16 = 63;
     let surfaces = wheel(Vec2::splat(31.3), 29.0, (18, 0.4), color);
-    let mut canvas = Multisampled::<16, Samples<16>>::new([SIDE.into(); 2], false);
+    let mut canvas = Multisampled::<16, Samples<16>>::new([SIDE.into(); 2]);
     let mut right = Image::new(SIDE, SIDE, Format::Rgb);
     Scene::of(&surfaces, background).draw_to(&right, &mut canvas);
     canvas.resolve(resolve, &mut right);

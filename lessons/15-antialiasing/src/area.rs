@@ -2,7 +2,7 @@
 //!
 //! This is E. Catmull's way (*A hidden-surface algorithm with anti-aliasing*, SIGGRAPH 1978) without what makes it work:
 //! Catmull goes on to find out which **part** of the square each triangle covers, and what of that is hidden. A number
-//! does not say where it is. So here two things go wrong, and no area, however exact, mends them:
+//! does not say where it is. So here two things go wrong, and no area, however exact, mends them; a third is ours:
 //!
 //! - Two triangles at a common side cover the shares s and 1 − s of a pixel. The first leaves (1 − s) of the background,
 //!   and the second lets its own share s of that be seen, as if it lay anywhere: s(1 − s) of the background shines through,
@@ -11,6 +11,9 @@
 //!   Where it covers a part, it is tested against that depth, at the middle of its part, but its own is **not** kept: its
 //!   neighbour at the common side, which may be a little farther there, would be refused, and the background remain. So
 //!   what is drawn later, and is hidden behind such a part, shines through as well.
+//! - Colours are codes, and each is mixed by a share in 255ths, so that what covers less than 1/510 of a pixel leaves it as
+//!   it is, and so do any number of such triangles: 512 slivers that tile half of a pixel are not seen. Colours with more
+//!   digits than codes have would show them.
 //!
 //! OpenGL's polygon smoothing has the first fault, too: it multiplies alpha by the coverage, and asks for a blending
 //! function of its own and for polygons sorted from front to back (*OpenGL Programming Guide*, 1993, *Antialiasing*).
@@ -154,13 +157,19 @@ pub struct Area {
 impl Canvas for Area {
     type Stencil = ();
 
-    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
+    fn new([width, height]: [usize; 2]) -> Self {
         let pixels = width * height;
         let bounds = Bounds { min: IVec2::ZERO, max: IVec2::new(width as i32, height as i32) - 1 };
-        Self { colors: vec![Color::BLACK; pixels], depths: vec![1.0; pixels], bounds, alpha_to_coverage }
+        Self {
+            colors: vec![Color::BLACK; pixels],
+            depths: vec![1.0; pixels],
+            bounds,
+            alpha_to_coverage: false,
+        }
     }
 
-    fn clear(&mut self, background: Color) {
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
+        self.alpha_to_coverage = alpha_to_coverage;
         self.colors.fill(background);
         self.depths.fill(1.0);
     }
@@ -199,9 +208,7 @@ impl Canvas for Area {
     // ANCHOR_END: mixed
 
     fn resolve(&self, _: Resolve, picture: &mut Image) {
-        for ((x, y), &color) in pixels(self.bounds).zip(&self.colors) {
-            picture.set(x, y, color);
-        }
+        picture.set_all(|pixel| self.colors[pixel]);
     }
 
     fn depths(&self, picture: &Image) -> DepthBuffer<f32> {

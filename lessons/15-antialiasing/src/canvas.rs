@@ -15,19 +15,23 @@ pub trait Canvas {
     /// What a sample keeps for the stencil.
     type Stencil;
 
-    /// For a picture so wide and so high, all black. With `alpha_to_coverage` a fragment's alpha is the share of the samples
-    /// that it covers.
-    fn new(size: [usize; 2], alpha_to_coverage: bool) -> Self;
+    /// For a picture so wide and so high, all black, of which alpha covers no share.
+    fn new(size: [usize; 2]) -> Self;
 
-    /// Forgets all that was drawn: the picture is of one colour, and nothing is in front of it.
-    fn clear(&mut self, background: Color);
+    /// Forgets all that was drawn: the picture is of one colour, and nothing is in front of it. With `alpha_to_coverage` a
+    /// fragment's alpha is, from now on, the share of the samples that it covers.
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool);
 
     /// The size, in pixels, of what triangles are drawn to, which may be larger than the picture.
     fn size(&self) -> Vec2;
 
     /// Draws one triangle under a state of lesson 14. Corners are in the window: x and y in pixels of that size, the depth,
     /// and 1/w, above 0; the triangle is left out where lesson 10's loop would leave it out. `shade` makes a fragment's
-    /// colour, or `None`, which leaves everything as it is.
+    /// colour, or `None`, which leaves colours and depths as they are.
+    ///
+    /// The tests come first, with all that they do to the stencil, as for lesson 14's targets without `Late`: what `shade` or
+    /// alpha then leaves out has counted as passing. OpenGL has it so only where early tests are asked for; else it counts
+    /// just what is drawn. As the depth is tested before `shade` is asked, no shader can replace it.
     fn fill<V: Varying>(
         &mut self,
         state: impl Operations<Stencil = Self::Stencil>,

@@ -21,7 +21,8 @@ const FAR: f64 = 0.6;
 const DEPTH: f32 = 0.999_99;
 
 /// A fan of triangles about the middle of a picture of that size, as sun rays are drawn: each as wide as its neighbours let it
-/// at its inner end, and running out into a point, long before which it is thinner than a pixel.
+/// at its inner end, and running out into a point, long before which it is thinner than a pixel. First comes a sky that fills
+/// the picture, whatever was there.
 // ANCHOR: fan
 #[must_use]
 pub fn fan(size: Vec2) -> Vec<Surface> {
@@ -54,10 +55,10 @@ const ONCE: i32 = 88;
 /// Where the enlarged part has its middle, as shares of the picture's width and height.
 const PLACE: Vec2 = Vec2::new(0.302, 0.475);
 
-/// Enlarges a part of a picture in its lower corners: as it is on the right, and on the left as it is in another picture. One
-/// that is too small for that stays as it is.
+/// Enlarges a part of a picture in its lower corners: as it is on the right, and on the left as it is in another picture, which
+/// `other` draws. One that is too small for that stays as it is, and no other is drawn.
 // ANCHOR: magnify
-pub fn magnify(other: &Image, picture: &mut Image) {
+pub fn magnify(other: impl FnOnce() -> Image, picture: &mut Image) {
     let size = picture.size();
     let times = size.min_element() as i32 / ONCE;
     if times < 2 {
@@ -69,7 +70,7 @@ pub fn magnify(other: &Image, picture: &mut Image) {
     let (whole, gap) = (picture.clone(), 3 * line);
     frame(part, line, Color::WHITE, picture);
     let right = picture.width() - gap - PART * times;
-    for (from, x) in [(other, gap), (&whole, right)] {
+    for (from, x) in [(&other(), gap), (&whole, right)] {
         let corner = IVec2::new(x, gap);
         for (i, j) in (0..PART * times).flat_map(|j| (0..PART * times).map(move |i| (i, j))) {
             let pixel = part.min + IVec2::new(i, j) / times;

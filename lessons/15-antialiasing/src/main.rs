@@ -27,11 +27,12 @@ use perspective::view;
 #[command(mut_arg("ambient", |arg| arg.default_value("0.1")))]
 #[command(mut_arg("diffuse", |arg| arg.default_value("0.9")))]
 #[command(mut_arg("light", |arg| arg.hide(true)))]
+#[command(mut_arg("background", |arg| arg.help("What is behind the triangles or the model; the lesson's own picture has a sky")))]
 struct Flags {
     #[command(flatten)]
     triangles: TriangleFlags,
 
-    /// How the samples of a pixel become its colour: encoded or linear
+    /// How the samples of a pixel become its colour, where it has several: encoded or linear
     #[arg(long, value_name = "NAME", default_value = "encoded")]
     resolve: String,
 
@@ -124,8 +125,11 @@ impl Program for Antialiasing {
             flags.depth.picture(|| (method.depths)(&scene, picture).picture_by(|depth| -f64::from(depth)));
         if is_cover {
             let mut stairs = picture.clone();
-            (METHODS[0].run.picture)(&scene, &mut stairs);
-            magnify(&stairs, picture);
+            let draw_stairs = || {
+                (METHODS[0].run.picture)(&scene, &mut stairs);
+                stairs
+            };
+            magnify(draw_stairs, picture);
         }
         Ok(Extras { depth, left_out: counts.left_out })
     }

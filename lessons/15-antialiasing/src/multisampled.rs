@@ -127,7 +127,8 @@ impl<const N: usize> Plane<N> {
 
 // ANCHOR: centroid
 /// The edge functions at the centroid of those samples whose bits are set: the mean of those at the samples, as they are
-/// linear. None of these is negative, so the mean is not.
+/// linear. None of these is negative, so the mean is not, but by rounding: of triangles wider than 2¹⁶ px edge functions may be
+/// more than an `f64` holds exactly, and a mean next to 0 may end a little below it.
 #[cold]
 #[inline(never)]
 fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32) -> DVec3 {
@@ -140,19 +141,20 @@ fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32)
 impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Multisampled<N, C, H, K> {
     type Stencil = K;
 
-    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
+    fn new([width, height]: [usize; 2]) -> Self {
         let pixels = width * height;
         Self {
             colors: C::new(pixels),
             depths: vec![[1.0; N]; pixels],
             stencils: vec![[K::default(); N]; pixels],
             bounds: Bounds { min: IVec2::ZERO, max: IVec2::new(width as i32, height as i32) - 1 },
-            alpha_to_coverage,
+            alpha_to_coverage: false,
             shading: PhantomData,
         }
     }
 
-    fn clear(&mut self, background: Color) {
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
+        self.alpha_to_coverage = alpha_to_coverage;
         self.colors.clear(background);
         self.depths.fill([1.0; N]);
         self.stencils.fill([K::default(); N]);

@@ -15,19 +15,20 @@ use crate::storage::{Samples, Storage};
 /// How many times as wide and as high the larger picture is.
 pub const TIMES: usize = 4;
 
-/// A larger picture with one sample in each pixel, as lessons 3 to 14 draw it.
+/// A larger picture with one sample in each pixel, as lessons 3 to 14 draw it. Corners are rounded there: to 1/1024 px of the
+/// picture itself, and a triangle with one beyond ±2⁵⁰ px is left out.
 pub struct Ordered(Multisampled<1, Samples<1>>);
 
 // ANCHOR: ordered
 impl Canvas for Ordered {
     type Stencil = ();
 
-    fn new([width, height]: [usize; 2], alpha_to_coverage: bool) -> Self {
-        Self(Multisampled::new([width * TIMES, height * TIMES], alpha_to_coverage))
+    fn new([width, height]: [usize; 2]) -> Self {
+        Self(Multisampled::new([width * TIMES, height * TIMES]))
     }
 
-    fn clear(&mut self, background: Color) {
-        self.0.clear(background);
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
+        self.0.clear(background, alpha_to_coverage);
     }
 
     fn size(&self) -> Vec2 {
@@ -46,20 +47,14 @@ impl Canvas for Ordered {
     }
 
     fn resolve(&self, resolve: Resolve, picture: &mut Image) {
-        for (x, y) in pixels(picture.bounds()) {
-            let colors = self.under(x, y).map(|place| self.0.colors.colors(place)[0]);
-            picture.set(x, y, resolve(&colors));
-        }
+        picture.set_all(|pixel| resolve(&self.under(pixel).map(|place| self.0.colors.colors(place)[0])));
     }
 
     fn depths(&self, picture: &Image) -> DepthBuffer<f32> {
         let mut nearest = DepthBuffer::new(picture, 1.0);
-        for (x, y) in pixels(picture.bounds()) {
-            nearest.set(
-                x,
-                y,
-                self.under(x, y).map(|place| self.0.depths[place][0]).into_iter().fold(1.0, f32::min),
-            );
+        for (pixel, (x, y)) in pixels(picture.bounds()).enumerate() {
+            let depths = self.under(pixel).map(|place| self.0.depths[place][0]);
+            nearest.set(x, y, depths.into_iter().fold(1.0, f32::min));
         }
         nearest
     }
@@ -68,9 +63,10 @@ impl Canvas for Ordered {
 
 impl Ordered {
     /// Where the pixels of the larger picture are that a pixel is the mean of.
-    fn under(&self, x: i32, y: i32) -> [usize; TIMES * TIMES] {
+    fn under(&self, pixel: usize) -> [usize; TIMES * TIMES] {
         let width = self.0.width();
-        let first = (y as usize * width + x as usize) * TIMES;
+        let (x, y) = (pixel % (width / TIMES), pixel / (width / TIMES));
+        let first = (y * width + x) * TIMES;
         array::from_fn(|n| first + n / TIMES * width + n % TIMES)
     }
 }

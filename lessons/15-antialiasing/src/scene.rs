@@ -57,14 +57,14 @@ impl<'a> Scene<'a> {
 
     fn drawn<C: Canvas<Stencil = ()>>(&self, picture: &Image) -> (C, Counts) {
         let size = [picture.width(), picture.height()].map(|side| side as usize);
-        let mut canvas = C::new(size, self.alpha_to_coverage);
+        let mut canvas = C::new(size);
         let counts = self.draw_to(picture, &mut canvas);
         (canvas, counts)
     }
 
     /// Draws it to a canvas for such a picture, which may be kept from picture to picture.
     pub fn draw_to<C: Canvas<Stencil = ()>>(&self, picture: &Image, canvas: &mut C) -> Counts {
-        canvas.clear(self.background);
+        canvas.clear(self.background, self.alpha_to_coverage);
         let over = State::blending(Over::<TwoShift>::default());
         let scale = canvas.size() / picture.size();
         for triangle in self.triangles {

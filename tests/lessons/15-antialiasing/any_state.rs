@@ -74,8 +74,8 @@ fn sampled<const N: usize, C: Storage<N>>(
     drawn: &[(Surface, AnyState)],
     background: Color,
 ) -> Multisampled<N, C, PerPixel, u8> {
-    let mut canvas = Multisampled::new(SIZE, false);
-    canvas.clear(background);
+    let mut canvas = Multisampled::new(SIZE);
+    canvas.clear(background, false);
     drawn.iter().for_each(|(surface, state)| plain(surface, *state, Vec2::ONE, &mut canvas));
     canvas
 }
@@ -148,7 +148,7 @@ fn one_sample_draws_a_model_as_lesson_14_does() {
             [(); 2].map(|()| Image::new(size[0] as u16, size[1] as u16, Format::Rgb));
         let mut target = Framebuffer::new(&mut before, State::OFF);
         let counts = clipping::render(&lit, &mesh, Cull::Back, Clipping::GuardBand, &mut target);
-        let mut canvas = Multisampled::<1, Samples<1>>::new(size, false);
+        let mut canvas = Multisampled::<1, Samples<1>>::new(size);
         assert_eq!(render(&lit, &mesh, Cull::Back, State::OFF, &mut canvas), counts);
         canvas.resolve(resolve, &mut after);
         assert!(target.depths == canvas.depths(&after));

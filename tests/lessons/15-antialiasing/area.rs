@@ -221,8 +221,8 @@ fn what_is_hidden_shines_through_where_a_pixel_is_covered_in_part() {
 /// Alpha as coverage is a share of the share.
 #[test]
 fn alpha_to_coverage_is_a_share_of_the_share() {
-    let mut canvas = Area::new([9, 7], true);
-    canvas.clear(Color::WHITE);
+    let mut canvas = Area::new([9, 7]);
+    canvas.clear(Color::WHITE, true);
     let corners = right_of(4.5).map(|[x, y]| Vec4::new(x, y, 0.5, 1.0));
     canvas.fill(State::OFF, corners, [(); 3], |_| Some(Color { a: 102, ..Color::BLACK }));
     let mut image = Image::new(9, 7, Format::Rgb);
@@ -234,7 +234,7 @@ fn alpha_to_coverage_is_a_share_of_the_share() {
     assert_eq!([4, 5].map(|x| canvas.depths(&image).get(x, 3)), [1.0, 1.0]);
     canvas.fill(State::OFF, corners, [(); 3], |_| Some(Color::BLACK));
     assert_eq!([4, 5].map(|x| canvas.depths(&image).get(x, 3)), [1.0, 0.5]);
-    canvas.clear(Color::WHITE);
+    canvas.clear(Color::WHITE, false);
     assert_eq!(canvas.depths(&image).get(5, 3), 1.0);
 }
 
@@ -243,8 +243,8 @@ fn alpha_to_coverage_is_a_share_of_the_share() {
 fn an_area_is_drawn_under_a_state() {
     let corners = right_of(4.5).map(|[x, y]| Vec4::new(x, y, 0.5, 1.0));
     let (background, red) = (Color::rgb(0, 40, 200), Color { a: 100, ..Color::RED });
-    let mut canvas = Area::new([9, 7], false);
-    canvas.clear(background);
+    let mut canvas = Area::new([9, 7]);
+    canvas.clear(background, false);
     let always = DepthTest { function: Compare::Always, write: false };
     let state =
         State { scissor: (), stencil: (), depth: always, blend: Over::<TwoShift>::default(), mask: () };
@@ -266,11 +266,11 @@ fn what_an_area_shows_is_interpolated_in_perspective() {
         [[0.3, 0.6, 1.0], [8.6, 1.2, 0.125], [2.1, 6.7, 0.5]].map(|[x, y, w]| Vec4::new(x, y, 0.5, w));
     let varyings = [Vec2::new(0.0, 3.0), Vec2::new(7.0, -2.0), Vec2::new(1.0, 9.0)];
     let (mut seen, mut one) = (Vec::new(), Vec::new());
-    Area::new([9, 7], false).fill(State::OFF, corners, varyings, |fragment| {
+    Area::new([9, 7]).fill(State::OFF, corners, varyings, |fragment| {
         seen.push((fragment.x, fragment.y, fragment.varying));
         None
     });
-    Multisampled::<1, Samples<1>>::new([9, 7], false).fill(State::OFF, corners, varyings, |fragment| {
+    Multisampled::<1, Samples<1>>::new([9, 7]).fill(State::OFF, corners, varyings, |fragment| {
         one.push((fragment.x, fragment.y, fragment.varying));
         None
     });

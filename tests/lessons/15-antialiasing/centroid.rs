@@ -17,7 +17,7 @@ fn shaded<const N: usize, H: Shading, V: Varying>(
     corners: [Vec4; 3],
     varyings: [V; 3],
 ) -> Vec<([i32; 2], V)> {
-    let mut canvas = Multisampled::<N, Samples<N>, H>::new(SIZE, false);
+    let mut canvas = Multisampled::<N, Samples<N>, H>::new(SIZE);
     let mut all = Vec::new();
     canvas.fill(State::OFF, corners, varyings, |fragment| {
         all.push(([fragment.x, fragment.y], fragment.varying));
@@ -159,7 +159,7 @@ fn what_the_centre_shows_may_be_no_corners() {
 #[test]
 fn what_is_hidden_is_not_shaded() {
     fn counts<H: Shading>() -> [usize; 3] {
-        let mut canvas = Multisampled::<16, Samples<16>, H>::new(SIZE, false);
+        let mut canvas = Multisampled::<16, Samples<16>, H>::new(SIZE);
         let mut count = |corners: [[f32; 2]; 3], depth: f32| {
             let mut calls = 0;
             let corners = corners.map(|[x, y]| Vec4::new(x, y, depth, 1.0));
@@ -182,7 +182,7 @@ fn what_is_hidden_is_not_shaded() {
 /// A fragment that the shader discards leaves colours and depths as they were.
 #[test]
 fn what_is_discarded_leaves_nothing_behind() {
-    let mut canvas = Multisampled::<4, Samples<4>>::new(SIZE, false);
+    let mut canvas = Multisampled::<4, Samples<4>>::new(SIZE);
     let large =
         |depth: f32| [[-9.0, -9.0], [60.0, -9.0], [-9.0, 60.0]].map(|[x, y]| Vec4::new(x, y, depth, 1.0));
     canvas.fill(State::OFF, large(0.25), [(); 3], |_| None);

@@ -28,12 +28,12 @@ struct Counted<C> {
 impl<C: Canvas> Canvas for Counted<C> {
     type Stencil = C::Stencil;
 
-    fn new(size: [usize; 2], alpha_to_coverage: bool) -> Self {
-        Self { canvas: C::new(size, alpha_to_coverage), calls: 0 }
+    fn new(size: [usize; 2]) -> Self {
+        Self { canvas: C::new(size), calls: 0 }
     }
 
-    fn clear(&mut self, background: Color) {
-        self.canvas.clear(background);
+    fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
+        self.canvas.clear(background, alpha_to_coverage);
     }
 
     fn size(&self) -> Vec2 {
@@ -88,7 +88,7 @@ fn before_the_head<R>(size: [u16; 2], with: impl FnOnce(&Scene, Image) -> R) -> 
 /// How often the head is shaded by a canvas.
 fn calls<C: Canvas<Stencil = ()>>(size: [u16; 2]) -> f64 {
     before_the_head(size, |scene, image| {
-        let mut canvas = Counted::<C>::new(size.map(usize::from), false);
+        let mut canvas = Counted::<C>::new(size.map(usize::from));
         scene.draw_to(&image, &mut canvas);
         canvas.calls as f64
     })
@@ -136,7 +136,7 @@ fn supersampling_shades_each_sample() {
 fn a_canvas_that_is_kept_allocates_nothing() {
     fn allocations<C: Canvas<Stencil = ()>>(size: [u16; 2]) -> u64 {
         before_the_head(size, |scene, mut image| {
-            let mut canvas = C::new(size.map(usize::from), false);
+            let mut canvas = C::new(size.map(usize::from));
             let mut draw = || {
                 scene.draw_to(&image, &mut canvas);
                 canvas.resolve(scene.resolve, &mut image);

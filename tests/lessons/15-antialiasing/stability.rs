@@ -4,7 +4,7 @@ use verify::stability::Must::{self, Exact, Fails};
 use verify::stability::{Case, Row, every_method};
 
 use crate::scenes::{
-    Scene, above, behind_a_side, circle, codes, fan, grid, halves, hidden, on_white, pair, rectangle,
+    Scene, above, behind_a_side, circle, codes, fan, flat, grid, halves, hidden, on_white, pair, rectangle,
     right_of, slivers, steep, stripes, strips, through,
 };
 
@@ -170,6 +170,15 @@ const TABLE: &[Case<Make>] = &[
         "in between all samples",
         || Scene::white([3, 3], [[[1.59, 1.37], [1.28, 1.69], [1.07, 1.41]]]),
         off!["1 by 20", "1 by 20", "1 by 20", "1 by 20", "1 by 20", "1 by 20", ""],
+    ),
+    (
+        "512 slivers that tile half of a pixel",
+        || {
+            let strip = |n: u16| rectangle([0.0, f32::from(n) / 256.0], [0.5, f32::from(n + 1) / 256.0]);
+            let slivers = (0..256).flat_map(strip).map(|corners| flat(corners, 0.5, Color::WHITE));
+            Scene { triangles: slivers.collect(), ..Scene::white([1, 1], []) }
+        },
+        off!["1 by 128", "", "", "", "", "", "1 by 128"],
     ),
     ("without area, in a line", || Scene::white([9, 7], [[[1.0, 1.0], [7.0, 4.0], [5.0, 3.0]]]), ALL_EXACT),
     (

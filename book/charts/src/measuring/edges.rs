@@ -50,7 +50,7 @@ fn works(_: usize) -> anyhow::Result<Vec<Work>> {
     let scene = Scene { world: Some(head.world(entities)), ..Scene::of(&[], Color::BLACK) };
     let work = |draw: &antialiasing::Draw| {
         let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-        let mut frames = (draw.frames)([SIDE.into(); 2], false);
+        let mut frames = (draw.frames)([SIDE.into(); 2]);
         Work::new(1.0, move || frames(&scene, &mut image))
     };
     Ok(METHODS.iter().chain(STORAGES).map(|row| work(&row.run)).collect())

@@ -95,7 +95,7 @@ impl Floor {
     }
 
     fn by<C: Canvas<Stencil = ()>>(&self, canvas: &mut C, image: &mut Image) {
-        canvas.clear(Color::BLACK);
+        canvas.clear(Color::BLACK, false);
         self.each(canvas.size(), |shader, mesh| {
             black_box(render(shader, mesh, Cull::Back, State::OFF, canvas));
         });
@@ -131,7 +131,7 @@ impl Cover {
 
 /// Pictures by one way to draw, which keeps its canvas.
 fn kept(draw: &Draw) -> Frames {
-    (draw.frames)([800; 2], false)
+    (draw.frames)([800; 2])
 }
 
 /// Triangles with right angles and legs of so many pixels, which cover a picture, none on whole pixels.
@@ -151,7 +151,7 @@ fn ratios(_: &mut Criterion) {
     println!("times of one run, taking turns:");
     for side in SIDES {
         let [mut a, mut b] = [canvas(side), canvas(side)];
-        let mut one = One::new([side.into(); 2], false);
+        let mut one = One::new([side.into(); 2]);
         let mut target = Framebuffer::new(&mut b, State::OFF);
         floor.by(&mut one, &mut a);
         floor.by_lesson_14(&mut target);
@@ -175,7 +175,7 @@ fn ratios(_: &mut Criterion) {
     for leg in SIZES {
         let tiles = tiles(leg, 800);
         let scene = Scene::of(&tiles, Color::BLACK);
-        let (mut sixteen, mut one) = (Sixteen::new([800; 2], false), One::new([800; 2], false));
+        let (mut sixteen, mut one) = (Sixteen::new([800; 2]), One::new([800; 2]));
         let taken = ratio(
             || {
                 scene.draw_to(&a, &mut sixteen);
@@ -193,7 +193,7 @@ fn loops(c: &mut Criterion) {
     let mut group = c.benchmark_group("loop");
     for side in SIDES {
         let [mut a, mut b] = [canvas(side), canvas(side)];
-        let mut one = One::new([side.into(); 2], false);
+        let mut one = One::new([side.into(); 2]);
         let mut target = Framebuffer::new(&mut b, State::OFF);
         group.throughput(Throughput::Elements(u64::from(side) * u64::from(side)));
         group.bench_function(BenchmarkId::new("lesson-14", side), |bencher| {
@@ -225,9 +225,9 @@ fn sizes(c: &mut Criterion) {
         let tiles = tiles(leg, 800);
         let scene = Scene::of(&tiles, Color::BLACK);
         group.throughput(Throughput::Elements(tiles.len() as u64));
-        let mut one = One::new([800; 2], false);
+        let mut one = One::new([800; 2]);
         group.bench_function(BenchmarkId::new("one", leg), |b| b.iter(|| scene.draw_to(&image, &mut one)));
-        let mut sixteen = Sixteen::new([800; 2], false);
+        let mut sixteen = Sixteen::new([800; 2]);
         group.bench_function(BenchmarkId::new("sixteen", leg), |b| {
             b.iter(|| scene.draw_to(&image, &mut sixteen));
         });
