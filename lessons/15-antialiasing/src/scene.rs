@@ -78,7 +78,7 @@ impl<'a> Scene<'a> {
         let Some(World { entities, view, cull }) = &self.world else { return counts };
         for entity in *entities {
             let Some(shader) = entity.shader(view, canvas.size()) else { continue };
-            counts += if entity.alpha >= 1.0 || self.alpha_to_coverage {
+            counts += if entity.is_opaque() || self.alpha_to_coverage {
                 render(&shader, entity.mesh(), *cull, State::OFF, canvas)
             } else {
                 render(&shader, entity.mesh(), *cull, over, canvas)

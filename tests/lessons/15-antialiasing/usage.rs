@@ -130,3 +130,22 @@ fn a_side_is_left_out_if_asked_for() {
     let [back, front, none] = ["back", "front", "none"].map(drawn);
     assert!(back == none && front != none);
 }
+
+/// What a texture cuts out is seen through, whether its alpha covers samples or is blended: the square's corner shows the sky,
+/// and a frond hides it.
+#[test]
+fn what_a_texture_cuts_out_is_seen_through() {
+    let [square, fern] = ["square.obj", "fern.png"]
+        .map(|file| [env!("CARGO_MANIFEST_DIR"), "/../../../assets/", file].concat());
+    let sky = Color::rgb(0x88, 0xaa, 0xdd);
+    for method in METHODS {
+        for flags in [&[][..], &["--alpha-to-coverage"]] {
+            let alone = ["--size", "160x160", "--model", &square, "--texture", &fern, "--eye", "0,0,2.6"];
+            let rest = ["--background", "88aadd", "--method", method.name];
+            let picture = draw(LESSON.name, &[&alone[..], &rest, flags].concat());
+            let seen = picture.pixels().filter(|pixel| pixel.2 == sky).count();
+            // The square is most of the picture, and the frond a part of it.
+            assert!((10_000..24_000).contains(&seen), "{}, {flags:?}: {seen}", method.name);
+        }
+    }
+}
