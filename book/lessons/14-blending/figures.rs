@@ -20,7 +20,7 @@ use shaders::target::Target;
 use textures::Wrap;
 use zbuffer::Surface;
 
-use super::scenes::{crates, mirrored, outlined, outputs};
+use super::scenes::{crates, fading, mirrored, outlined, outputs};
 use super::seen_through::{crossing, fringe, peeled, rosette, seam};
 use super::sketches::{areas, layers, stages};
 use crate::figures::picture::{chequered, method, model, painted, texture};
@@ -93,6 +93,12 @@ pub(crate) const FIGURES: &[Figure] = &[
         "A pixel's code against the number of layers of white with the least alpha. Over white, exact and two-shift stay at 255 \
          and shift-8 falls to 127. Over black the exact number rises to 250, two-shift only to 128, and shift-8 stays at 0.",
         layers,
+    ),
+    Figure::new(
+        "blending-fading",
+        "A large wooden crate with a smaller one before it, twice. On the left the small one is solid at its base and fades away \
+         towards its top; on the right it does so too, and the large one is seen even through its base.",
+        fading,
     ),
     Figure::new(
         "blending-crossing",

@@ -6,9 +6,10 @@ use anyhow::Context;
 use blending::crates::{self, CRATE};
 use blending::scene::{Entity, View};
 use blending::{
-    Compare, DepthTest, Framebuffer, Less, METHODS, State, StencilOp, StencilTest, mirror, outline, sheet,
+    Compare, DepthTest, Framebuffer, Less, METHODS, Over, State, StencilOp, StencilTest, Translucent,
+    TwoShift, mirror, outline, sheet,
 };
-use clipping::Cull;
+use clipping::{Clipping, Cull, render};
 use common::program::model::TexturedModelFlags;
 use common::{Color, DVec3, Format, Image, Mat4, Model, Vec3};
 use filtering::Wrap;
@@ -62,6 +63,26 @@ pub(super) fn crates() -> anyhow::Result<Drawing> {
         image.scale(HALF, HALF)
     };
     rows_of(&[vec![picture(Entity { alpha: 1.0, ..small }), picture(small)]])
+}
+
+/// The smaller crate with an alpha at each vertex, 1 at its base and 0 at its top, by two alphas of its own.
+pub(super) fn fading() -> anyhow::Result<Drawing> {
+    let file = Model::read(Path::new(CRATE[0]), ALL)?;
+    let of_vertex = |vertex: u32| if file.positions()[vertex as usize].y < 0.0 { 1.0 } else { 0.0 };
+    let alphas: Vec<[f32; 3]> = file.triangles().iter().map(|corners| corners.map(of_vertex)).collect();
+    let (model, view) = (of_crate()?, seen()?);
+    let [large, small] = crates::entities(&model);
+    let picture = |alpha: f32| -> anyhow::Result<Image> {
+        let mut image = canvas(LARGER * HALF);
+        let shader = small.shader(&view, image.size()).context("no crate is flat")?.shader;
+        let mut target = Framebuffer::new(&mut image, State::OFF);
+        large.draw(&view, Cull::Back, &mut target);
+        let mut target = target.under(State::blending(Over(TwoShift)));
+        let shader = Translucent { shader, alpha, vertices: &alphas[..] };
+        render(&shader, small.mesh(), Cull::Back, Clipping::GuardBand, &mut target);
+        Ok(image.scale(HALF, HALF))
+    };
+    rows_of(&[vec![picture(1.0)?, picture(0.5)?]])
 }
 
 /// What a stencil keeps, as a picture: light where it is 1.

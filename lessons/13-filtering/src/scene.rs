@@ -20,6 +20,7 @@ pub struct Filterable {
     loaded: Loaded,
     mesh: Mesh,
     texture: Texture,
+    opaque: bool,
 }
 
 impl Filterable {
@@ -43,7 +44,26 @@ impl Filterable {
     pub fn new(loaded: Loaded, mipmap: Mipmap, wrap: Wrap) -> Self {
         let mesh = indexed(&loaded.model, &loaded.normals, Attributes { normals: true, uvs: true });
         let texture = mipmap.texture(&loaded.texture, wrap);
-        Self { loaded, mesh, texture }
+        let opaque = loaded.texture.pixels().all(|(_, _, color)| color.a == u8::MAX);
+        Self { loaded, mesh, texture, opaque }
+    }
+
+    /// Its vertices and triangles.
+    #[must_use]
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// Its texture, with all levels.
+    #[must_use]
+    pub fn texture(&self) -> &Texture {
+        &self.texture
+    }
+
+    /// Whether every texel of its texture is opaque.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.opaque
     }
 
     /// What a shader reads of it, under a light and before a camera.

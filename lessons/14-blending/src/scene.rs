@@ -55,21 +55,22 @@ impl<'a> Entity<'a> {
     /// Its vertices and triangles.
     #[must_use]
     pub fn mesh(&self) -> &'a Mesh {
-        self.model.surface(Vec3::ZERO, Mat4::IDENTITY).mesh
+        self.model.mesh()
     }
 
     /// Its shader, in a picture of that size. `None` where its place flattens it.
     #[must_use]
     pub fn shader(&self, view: &View, size: Vec2) -> Option<EntityShader<'a>> {
         let scene = self.scene(view)?;
-        let texture = self.model.surface(Vec3::ZERO, Mat4::IDENTITY).texture;
-        let lighting = Lamp::new(scene);
+        let (texture, lighting) = (self.model.texture(), Lamp::new(scene));
         let shader = Filtered { uniforms: scene.uniforms, texture, filter: Trilinear, lighting, size };
         Some(Translucent { shader, alpha: self.alpha, vertices: () })
     }
 
-    fn is_opaque(&self) -> bool {
-        self.alpha >= 1.0
+    /// Whether nothing is seen through it: neither its own alpha nor any texel's is below 1.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.alpha >= 1.0 && self.model.is_opaque()
     }
 
     /// Draws it to any target.

@@ -50,11 +50,8 @@ pub fn draw(entities: &[Entity], view: &View, image: &mut Image) -> Drawn {
     let mut counts = Counts::default();
     // ANCHOR: pass
     for entity in entities {
-        let (Some(scene), filtering::Surface { texture, .. }) =
-            (entity.scene(view), entity.model.surface(Vec3::ZERO, view.to_clip))
-        else {
-            continue;
-        };
+        let Some(scene) = entity.scene(view) else { continue };
+        let texture = entity.model.texture();
         let shader = Filtered { uniforms: scene.uniforms, texture, filter: Trilinear, lighting: Unlit, size };
         let shader = Described { shader, scene };
         counts += render(&shader, entity.mesh(), Cull::Back, Clipping::GuardBand, &mut target);

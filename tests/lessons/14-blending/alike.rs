@@ -25,9 +25,12 @@ use perspective::{perspective, view};
 use verify::method;
 
 pub(crate) fn read([model, texture]: [&str; 2]) -> Filterable {
-    let model = Model::read(Path::new(model), Attributes { normals: true, uvs: true }).unwrap();
     let texture = Image::read(Path::new(texture)).unwrap();
-    let texture = if texture.width() < 16 { fine(&texture) } else { texture };
+    textured(model, if texture.width() < 16 { fine(&texture) } else { texture })
+}
+
+pub(crate) fn textured(model: &str, texture: Image) -> Filterable {
+    let model = Model::read(Path::new(model), Attributes { normals: true, uvs: true }).unwrap();
     Filterable::new(
         Loaded::new(model, texture, Default::default()),
         *method(MIPMAPS, "box-linear"),

@@ -4,13 +4,13 @@ use blending::blend::BlendStage;
 use blending::mirror::{self, reflection};
 use blending::outputs::Described;
 use blending::scene::{Entity, View};
-use blending::{Buffers, Framebuffer, Over, State, TwoShift, outline, sheet};
+use blending::{Buffers, Framebuffer, Over, State, Transparency, TwoShift, outline, sheet};
 use clipping::{Clipping, Cull, render};
 use common::{Color, DVec3, Format, Image, Mat4, Vec3};
 use fastrand::Rng;
 use filtering::scene::Filterable;
 
-use crate::alike::{FLOOR, HEAD, WOOD, crate_view, read};
+use crate::alike::{FLOOR, HEAD, WOOD, crate_view, read, textured};
 
 fn standing(model: &Filterable) -> Entity<'_> {
     Entity { model, to_world: Mat4::IDENTITY, alpha: 1.0 }
@@ -27,6 +27,37 @@ fn world(entities: &[Entity], view: &View) -> Image {
     let mut image = canvas(Color::BLACK);
     blending::scene::draw(entities, view, (), &mut image);
     image
+}
+
+/// One texel through which anything is seen makes an entity transparent.
+#[test]
+fn an_entity_is_opaque_where_all_its_texels_are() {
+    let texture = |alpha| {
+        let mut texture = Image::new(8, 8, Format::Rgba);
+        texture.set_all(|_| Color::GREEN);
+        texture.set(7, 3, Color { a: alpha, ..Color::RED });
+        textured(WOOD[0], texture)
+    };
+    for (alpha, opaque) in [(255, true), (254, false), (0, false)] {
+        let model = texture(alpha);
+        assert_eq!(standing(&model).is_opaque(), opaque, "{alpha}");
+        assert!(!Entity { alpha: 0.99, ..standing(&model) }.is_opaque());
+    }
+}
+
+/// Behind a texture without alpha all is seen, though it comes first, and its entity's own alpha is 1.
+#[test]
+fn a_texture_is_seen_through() {
+    let mut nothing = Image::new(8, 8, Format::Rgba);
+    nothing.set_all(|_| Color { a: 0, ..Color::RED });
+    let (nothing, head, view) = (textured(WOOD[0], nothing), read(HEAD), crate_view());
+    let entities = [standing(&nothing), standing(&head)];
+    let [mut image, mut listed, mut alone] = [(); 3].map(|()| canvas(Color::rgb(40, 90, 160)));
+    let over = Over(TwoShift);
+    blending::scene::draw(&entities, &view, over, &mut image);
+    blending::scene::draw_by(Transparency::List, &entities, &view, Cull::Back, over, &mut listed);
+    blending::scene::draw(&entities[1..], &view, over, &mut alone);
+    assert!(image == alone && listed == alone);
 }
 
 /// Turned over twice a point is where it was; on the way it crosses the plane, straight, and is as far behind as before.
