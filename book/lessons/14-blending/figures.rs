@@ -96,8 +96,8 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "blending-fading",
-        "A large wooden crate with a smaller one before it, twice. On the left the small one is solid at its base and fades away \
-         towards its top; on the right it does so too, and the large one is seen even through its base.",
+        "A large wooden crate with a smaller one before it, twice. On the left the small one has a solid top, and its sides fade \
+         away downwards; on the right they do so too, and the large one is seen even through the top.",
         fading,
     ),
     Figure::new(

@@ -65,10 +65,10 @@ pub(super) fn crates() -> anyhow::Result<Drawing> {
     rows_of(&[vec![picture(Entity { alpha: 1.0, ..small }), picture(small)]])
 }
 
-/// The smaller crate with an alpha at each vertex, 1 at its base and 0 at its top, by two alphas of its own.
+/// The smaller crate with an alpha at each vertex, 1 at its top and 0 at its base, by two alphas of its own.
 pub(super) fn fading() -> anyhow::Result<Drawing> {
     let file = Model::read(Path::new(CRATE[0]), ALL)?;
-    let of_vertex = |vertex: u32| if file.positions()[vertex as usize].y < 0.0 { 1.0 } else { 0.0 };
+    let of_vertex = |vertex: u32| if file.positions()[vertex as usize].y > 0.0 { 1.0 } else { 0.0 };
     let alphas: Vec<[f32; 3]> = file.triangles().iter().map(|corners| corners.map(of_vertex)).collect();
     let (model, view) = (of_crate()?, seen()?);
     let [large, small] = crates::entities(&model);
