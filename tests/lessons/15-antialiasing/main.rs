@@ -11,4 +11,5 @@ mod scenes;
 mod snapshots;
 mod stability;
 mod states;
+mod translucent;
 mod usage;
