@@ -62,11 +62,11 @@ pub fn draw(entities: &[Entity], view: &View, image: &mut Image) -> Drawn {
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         let (normal, distance) = (normals[(y * width + x) as usize], distances.get(x, y));
         let Some(color) = framebuffer.image.get(x, y) else { continue };
-        let seen = distance.is_finite();
-        let nearness = if seen { libm::exp2f(-distance / HALF) } else { 0.0 };
+        // Where nothing is, it is infinitely far, and this is 0.
+        let nearness = libm::exp2f(-distance / HALF);
         let lit = color.shaded((0.25 + 0.75 * normal.dot(light).max(0.0)) * nearness * 2.0);
         image.set(x, height + y, color);
-        image.set(width + x, height + y, if seen { pictured(normal) } else { Color::BLACK });
+        image.set(width + x, height + y, if distance.is_finite() { pictured(normal) } else { Color::BLACK });
         image.set(x, y, Color::gray(nearness));
         image.set(width + x, y, lit);
     }
