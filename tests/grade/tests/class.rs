@@ -463,7 +463,7 @@ fn theft(lesson: &str, starter: &str) -> String {
         let text = fs::read_to_string(path).unwrap();
         text.lines().any(|line| line.starts_with(begins) && line[begins.len()..].starts_with(end))
     };
-    let file = files.map(|entry| entry.unwrap().path()).find(defines).unwrap();
+    let file = files.map(|entry| entry.unwrap().path()).filter(|path| path.is_file()).find(defines).unwrap();
     let module = match file.file_stem().unwrap().to_str().unwrap() {
         "lib" => String::new(),
         module => format!("::{module}"),
