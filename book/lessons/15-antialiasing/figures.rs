@@ -226,9 +226,9 @@ fn seam() -> anyhow::Result<Drawing> {
     let corner = |x: f32, y: f32| Vec2::new(x, y);
     let [a, b, c, d] = [corner(4.3, 10.4), corner(26.7, 6.2), corner(29.4, 28.6), corner(6.8, 32.1)];
     let mut surfaces = vec![flat([a, b, c], GRAY), flat([a, c, d], GRAY)];
-    surfaces.extend(wheel(corner(48.0, 19.0), 15.0, (12, 1.0), GRAY));
+    surfaces.extend(wheel(corner(47.0, 19.0), 15.0, (12, 1.0), GRAY));
     let scene = Scene::of(&surfaces, GROUND);
-    let picture = |name| Ok(enlarged(&by_method(name, &scene, [64, 38])?, 7));
+    let picture = |name| Ok(enlarged(&by_method(name, &scene, [63, 38])?, 7));
     let pictures: anyhow::Result<Vec<Image>> = ["area", "msaa-16"].map(picture).into_iter().collect();
     rows_of(&[pictures?])
 }
