@@ -57,14 +57,21 @@ impl Copy {
 
 /// All the code of a lesson's library.
 fn source(lesson: &str) -> String {
-    let folder = Path::new(COURSE).join("lessons").join(lesson).join("src");
+    code_below(&Path::new(COURSE).join("lessons").join(lesson).join("src"))
+}
+
+/// The code of a folder, that of folders in it among it, but for its program.
+fn code_below(folder: &Path) -> String {
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
         .expect("a lesson has code")
         .map(|entry| entry.expect("the folder can be read").path())
         .filter(|path| !path.ends_with("main.rs"))
         .collect();
     paths.sort();
-    paths.iter().map(|path| fs::read_to_string(path).expect("it is text")).collect()
+    let text = |path: &PathBuf| {
+        if path.is_dir() { code_below(path) } else { fs::read_to_string(path).expect("it is text") }
+    };
+    paths.iter().map(text).collect()
 }
 
 fn text(bytes: &[u8]) -> String {
