@@ -1,6 +1,6 @@
 //! Mission 14: what happens to a fragment.
 //!
-//! Write the bodies of [`over`] and [`test`], then see what is right: `cargo run -p my-blending`.
+//! Write the bodies of [`over`] and [`test`](fn@test), then see what is right: `cargo run -p my-blending`.
 //!
 //! What you need:
 //!
