@@ -24,11 +24,13 @@
 //! | [`fragment`] | what happens to a fragment: tests, blending, logic operations, masks, in whole numbers |
 //! | [`layers`] | the transparent layers of a pixel, sorted, in `f64`, and each rounded in whole numbers |
 //! | [`cutout`] | a texture with alpha, filtered and laid over a colour, in `f64` |
+//! | [`apart`] | how far apart two surfaces of triangles are, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
 //! compared by `common`, as under `--compare`.
 
+pub mod apart;
 pub mod area;
 pub mod box_filter;
 pub mod camera;
