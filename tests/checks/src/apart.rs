@@ -1,9 +1,9 @@
 //! How far apart two surfaces of triangles are, in `f64`.
 //!
-//! The distance of a surface from another is that of its farthest point. It is asked for at points: so many on each triangle that
-//! none of it is farther from one of them than some reach. What is found is a lower bound, and with the reach added an upper one,
-//! since a distance changes by no more than the way that one goes (Hausdorff's distance; N. Aspert, D. Santa-Cruz and
-//! T. Ebrahimi, *MESH: measuring errors between surfaces using the Hausdorff distance*, ICME 2002, sample alike).
+//! The distance of a surface from another is that of its farthest point (Hausdorff's). A distance changes by no more than the way
+//! that one goes: from the distance of a triangle's middle no point of it is farther off than its corners are away. So triangles
+//! are cut into four as long as that could be more than what was found, but for a tolerance. What is found is a lower bound, and
+//! with the tolerance added an upper one.
 
 use common::DVec3;
 
@@ -56,6 +56,11 @@ impl Surface {
     /// The distance of a point from the nearest triangle.
     #[must_use]
     pub fn distance(&self, p: DVec3) -> f64 {
+        self.distance_beyond(p, 0.0)
+    }
+
+    /// The same, or anything that is not more than `enough`, where the distance is not more than that.
+    fn distance_beyond(&self, p: DVec3, enough: f64) -> f64 {
         let middle = self.cell(p);
         let mut nearest = f64::INFINITY;
         for ring in 0..=self.counts.into_iter().max().unwrap_or(0) {
@@ -69,30 +74,39 @@ impl Surface {
             for cell in boxed(first, last).filter(in_ring) {
                 for &n in &self.cells[self.index(cell)] {
                     nearest = nearest.min(from_triangle(p, self.triangles[n as usize]));
+                    if nearest <= enough {
+                        return nearest;
+                    }
                 }
             }
         }
         nearest
     }
 
-    /// The distance of the farthest of another surface's points from this one, and how much farther away what lies between them
-    /// may be. Points are no farther than `spacing` from the next.
+    /// The distance of the farthest of another surface's points from this one: so much at least, and at most the tolerance more.
     #[must_use]
-    pub fn farthest(&self, other: &Self, spacing: f64) -> [f64; 2] {
-        let mut farthest = 0.0_f64;
-        for &[a, b, c] in &other.triangles {
-            let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-            let n = (longest / spacing).ceil().max(1.0) as i32;
-            for i in 0..=n {
-                for j in 0..=n - i {
-                    let [s, t] = [i, j].map(|part| f64::from(part) / f64::from(n));
-                    farthest = farthest.max(self.distance(a + (b - a) * s + (c - a) * t));
-                }
-            }
+    pub fn farthest(&self, other: &Self, tolerance: f64) -> f64 {
+        let farther = |farthest: f64, &corner: &DVec3| farthest.max(self.distance_beyond(corner, farthest));
+        let farthest = other.triangles.as_flattened().iter().fold(0.0, farther);
+        other
+            .triangles
+            .iter()
+            .fold(farthest, |farthest, &triangle| self.within(triangle, farthest, tolerance))
+    }
+
+    /// The same of a triangle's points, where one as far as this has been found.
+    fn within(&self, [a, b, c]: [DVec3; 3], farthest: f64, tolerance: f64) -> f64 {
+        let middle = (a + b + c) / 3.0;
+        let reach = middle.distance(a).max(middle.distance(b)).max(middle.distance(c));
+        let distance = self.distance_beyond(middle, farthest + tolerance - reach);
+        if distance + reach <= farthest + tolerance {
+            return farthest;
         }
-        // The small triangles between points have sides of at most `spacing`: no point is farther from all three corners than
-        // in the equilateral one.
-        [farthest, spacing / 3.0_f64.sqrt()]
+        let [ab, bc, ca] = [a.midpoint(b), b.midpoint(c), c.midpoint(a)];
+        let parts = [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]];
+        parts
+            .into_iter()
+            .fold(farthest.max(distance), |farthest, part| self.within(part, farthest, tolerance))
     }
 }
 
@@ -163,20 +177,23 @@ mod tests {
         }
     }
 
-    /// Between two squares, one bent up by 1 in its middle: found to within the reach, and not the same either way.
+    /// Between two squares, one bent up by 1 in its middle: not the same either way.
     #[test]
-    fn what_lies_between_points_is_within_reach() {
+    fn the_farthest_point_is_found_wherever_it_is() {
         let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
         let [a, b, c, d] = [at(0.0, 0.0, 0.0), at(2.0, 0.0, 0.0), at(2.0, 2.0, 0.0), at(0.0, 2.0, 0.0)];
-        let top = at(1.1, 0.9, 1.0);
         let flat = Surface::new(vec![[a, b, c], [a, c, d]]);
+        let top = at(1.0, 1.0, 1.0);
         let bent = Surface::new(vec![[a, b, top], [b, c, top], [c, d, top], [d, a, top]]);
-        for spacing in [1.0, 0.3, 0.07] {
-            let [found, reach] = flat.farthest(&bent, spacing);
-            assert_eq!(found, 1.0, "its corner is one of the points");
-            let [back, _] = bent.farthest(&flat, spacing);
-            // The point under the top is (t·|bottom|)/√(t² + 1) from the nearest of the four planes.
-            assert!(back <= 1.0 / 2.0_f64.sqrt() && back + reach >= 0.7, "{spacing}: {back}");
+        for tolerance in [0.5, 0.1, 1e-3] {
+            assert_eq!(flat.farthest(&bent, tolerance), 1.0, "a corner");
+            // The point under the top, which is no corner, is 1/√2 from the four planes.
+            let found = bent.farthest(&flat, tolerance);
+            assert!(
+                found <= 0.5_f64.sqrt() + 1e-12 && found + tolerance >= 0.5_f64.sqrt(),
+                "{tolerance}: {found}"
+            );
         }
+        assert_eq!(flat.farthest(&flat, 0.01), 0.0);
     }
 }
