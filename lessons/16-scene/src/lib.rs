@@ -2,6 +2,7 @@
 
 pub mod entity;
 pub mod frustum;
+pub mod kept;
 pub mod keys;
 pub mod levels;
 pub mod mesh;

@@ -2,10 +2,11 @@
 
 use std::ops::AddAssign;
 
-use antialiasing::canvas::{Canvas, render};
+use antialiasing::canvas::{Canvas, render_with};
 use antialiasing::resolve;
-use blending::depth::DepthStage;
-use blending::{Over, State, TwoShift};
+use blending::compare::Compare;
+use blending::translucent::Translucent;
+use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
 use common::{Mat4, Vec2, Vec3};
 use filtering::filter::{Bilinear, Nearest, Trilinear};
@@ -13,9 +14,10 @@ use transforms::inverse::elimination;
 
 use crate::entity::Entity;
 use crate::frustum::{pixels_per_unit, sees};
+use crate::kept::Kept;
 use crate::mesh::{Mesh, Paint};
 use crate::scene::{Filtering, Scene, Shading};
-use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
+use crate::shader::{AtPixels, AtVertices, Base, Lamps, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
 use crate::wireframe;
 
@@ -62,11 +64,12 @@ pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inver
     if let Some(view) = &view {
         enqueue(scene, view, inverse_camera, &mut target.queue, &mut counts);
     }
-    let Target { picture, single, many, queue, .. } = target;
+    let Target { picture, single, many, queue, kept, lamps, .. } = target;
     let Some(view) = view else {
         picture.set_all(|_| scene.background);
         return counts;
     };
+    lamps.set(&scene.lights);
     if target.wireframe {
         picture.set_all(|_| scene.background);
         let size = picture.size();
@@ -78,11 +81,11 @@ pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inver
         }
     } else if target.antialiased {
         let canvas = canvas(many, picture);
-        counts.triangles += draw(scene, &view, queue, canvas);
+        counts.triangles += draw(scene, &view, queue, lamps, kept, canvas);
         canvas.resolve(resolve, picture);
     } else {
         let canvas = canvas(single, picture);
-        counts.triangles += draw(scene, &view, queue, canvas);
+        counts.triangles += draw(scene, &view, queue, lamps, kept, canvas);
         canvas.resolve(resolve, picture);
     }
     counts
@@ -114,6 +117,8 @@ fn draw<C: Canvas<Stencil = ()>>(
     scene: &Scene,
     view: &View,
     queue: &[Queued],
+    lamps: &Lamps,
+    kept: &mut Kept,
     canvas: &mut C,
 ) -> clipping::Counts {
     canvas.clear(scene.background, false);
@@ -122,15 +127,9 @@ fn draw<C: Canvas<Stencil = ()>>(
         let entity = &scene.entities[queued.entity];
         let Some(normals_to_world) = entity.normals_to_world() else { continue };
         let mesh = level(entity, view, canvas.size());
-        let placed = Placed {
-            mesh,
-            to_world: entity.to_world(),
-            normals_to_world,
-            eye: view.eye,
-            lights: &scene.lights,
-        };
+        let placed = Placed { mesh, to_world: entity.to_world(), normals_to_world, eye: view.eye, lamps };
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
-        counts += pass.draw(canvas);
+        counts += pass.draw(kept, canvas);
     }
     counts
 }
@@ -161,33 +160,38 @@ struct Pass<'a> {
 
 // ANCHOR: pass
 impl Pass<'_> {
-    fn draw<C: Canvas<Stencil = ()>>(&self, canvas: &mut C) -> clipping::Counts {
+    fn draw<C: Canvas<Stencil = ()>>(&self, kept: &mut Kept, canvas: &mut C) -> clipping::Counts {
         let mesh = self.placed.mesh;
         match mesh.paint() {
-            Paint::Color(color) => self.colored(*color, canvas),
-            Paint::Colors(colors) => self.colored(&colors[..], canvas),
+            Paint::Color(color) => self.colored(*color, kept, canvas),
+            Paint::Colors(colors) => self.colored(&colors[..], kept, canvas),
             Paint::Texture(texture) => {
                 let (uvs, size) = (mesh.uvs(), canvas.size());
                 match self.scene.style.filter {
                     Filtering::Nearest => {
-                        self.colored(Textured { texture, uvs, filter: Nearest, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Nearest, size }, kept, canvas)
                     }
                     Filtering::Bilinear => {
-                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, kept, canvas)
                     }
                     Filtering::Trilinear => {
-                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, kept, canvas)
                     }
                 }
             }
         }
     }
 
-    fn colored<C: Canvas<Stencil = ()>>(&self, base: impl Base, canvas: &mut C) -> clipping::Counts {
+    fn colored<C: Canvas<Stencil = ()>>(
+        &self,
+        base: impl Base,
+        kept: &mut Kept,
+        canvas: &mut C,
+    ) -> clipping::Counts {
         match self.scene.style.shading {
-            Shading::Unlit => self.lit(base, (), canvas),
-            Shading::Phong => self.lit(base, AtVertices(self.placed), canvas),
-            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), canvas),
+            Shading::Unlit => self.lit(base, (), kept, canvas),
+            Shading::Phong => self.lit(base, AtVertices(self.placed), kept, canvas),
+            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), kept, canvas),
         }
     }
 
@@ -195,37 +199,25 @@ impl Pass<'_> {
         &self,
         base: impl Base,
         lighting: impl Lighting,
+        kept: &mut Kept,
         canvas: &mut C,
     ) -> clipping::Counts {
         let Placed { mesh, to_world, .. } = self.placed;
         let to_clip = self.view.to_clip * to_world;
-        let look = Look { mesh, to_clip, base, lighting, alpha: self.entity.alpha };
+        let look = Look { mesh, to_clip, base, lighting };
+        let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
+        if !self.transparent {
+            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
+        }
+        let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
         let state = State {
             scissor: (),
             stencil: (),
-            depth: Nearer { write: !self.transparent },
-            blend: self.transparent.then(Over::<TwoShift>::default),
+            depth: DepthTest { function: Compare::Less, write: false },
+            blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render(&look, mesh.assembled(), cull(self.scene, self.entity), state, canvas)
+        render_with(kept.of(), &shader, mesh, cull, state, canvas)
     }
 }
 // ANCHOR_END: pass
-
-/// What is nearer passes; whether its depth is kept is decided when the program runs.
-#[derive(Clone, Copy)]
-struct Nearer {
-    write: bool,
-}
-
-impl DepthStage for Nearer {
-    #[inline]
-    fn passes(self, depth: f32, kept: f32) -> bool {
-        depth < kept
-    }
-
-    #[inline]
-    fn writes(self) -> bool {
-        self.write
-    }
-}
