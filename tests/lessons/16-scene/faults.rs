@@ -216,10 +216,7 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
     Fault {
         cause: "the rows are not rings: x and z are sin θ times the sine and the cosine of φ",
         hint: Some(1),
-        versions: &[
-            places!(|theta, phi| Vec3::new(phi.sin(), theta.cos(), phi.cos())),
-            places!(|theta, phi| Vec3::new(theta.cos() * phi.sin(), theta.sin(), theta.cos() * phi.cos())),
-        ],
+        versions: &[places!(|theta, phi| Vec3::new(phi.sin(), theta.cos(), phi.cos()))],
     },
     Fault {
         cause: "there is no vertex twice at the seam: a row has one more than there are columns, with u = 1",
@@ -385,7 +382,11 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
                     for i in 0..latitudes {
                         for j in 0..longitudes - 1 {
                             let [ul, ll] = [i, i + 1].map(|i| (begin(i, longitudes) + j) as u32);
-                            shape.triangles.extend(cell(i == 0, i == latitudes - 1, [ul, ul + 1, ll, ll + 1]));
+                            shape.triangles.extend(cell(
+                                i == 0,
+                                i == latitudes - 1,
+                                [ul, ul + 1, ll, ll + 1],
+                            ));
                         }
                     }
                     shape
@@ -418,7 +419,8 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
             sphere: |latitudes, longitudes| {
                 let mut shape = (RIGHT.sphere)(latitudes, longitudes);
                 for vertex in shape.triangles.iter_mut().flatten() {
-                    let seam = (1..latitudes).find(|&i| begin(i, longitudes) + longitudes == *vertex as usize);
+                    let seam =
+                        (1..latitudes).find(|&i| begin(i, longitudes) + longitudes == *vertex as usize);
                     if let Some(i) = seam {
                         *vertex = begin(i, longitudes) as u32;
                     }

@@ -64,7 +64,11 @@ pub type Sphere = fn(usize, usize) -> Shape;
 pub type Orbit = fn(f32, f32, f32) -> Mat4;
 
 /// Azimuth, elevation and distance of a camera that starts at (0, 0, 4), after keys: each `Right` and `Up` turns it by 10°, each
-/// `W` brings it nearer by a tenth.
+/// `W` brings it nearer by a tenth;
+/// `Left`, `Down` and `S` undo these.
+///
+/// # Panics
+/// Where there is no such key.
 #[must_use]
 pub fn after(keys: &[&str]) -> (f32, f32, f32) {
     let (mut azimuth, mut elevation, mut distance) = (0.0, 0.0, 4.0);
@@ -95,7 +99,13 @@ pub fn draw(entities: &[(&Shape, Vec3)], camera: Mat4, image: &mut Image) {
     let mut target = Framebuffer::new(image, ZF32);
     for &(shape, place) in entities {
         let to_clip = projection * inverse_camera * translate(place);
-        render(&Chequered { shape, to_clip, light }, &mesh(shape), Cull::Back, Clipping::GuardBand, &mut target);
+        render(
+            &Chequered { shape, to_clip, light },
+            &mesh(shape),
+            Cull::Back,
+            Clipping::GuardBand,
+            &mut target,
+        );
     }
 }
 
@@ -107,7 +117,8 @@ fn mesh(shape: &Shape) -> Mesh {
     for (face, triangle) in (0..).zip(&shape.triangles) {
         for (corner, &vertex) in (0..).zip(triangle) {
             let place = vertices.get_mut(vertex as usize);
-            let place = place.unwrap_or_else(|| panic!("triangle {face} has vertex {vertex}, there are {count}"));
+            let place =
+                place.unwrap_or_else(|| panic!("triangle {face} has vertex {vertex}, there are {count}"));
             (place.face, place.corner) = (face, corner);
         }
     }

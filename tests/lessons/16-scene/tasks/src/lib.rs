@@ -119,8 +119,7 @@ pub fn wound(shape: &Shape) -> Vec<[f32; 3]> {
 }
 
 fn normals(size: [usize; 2]) -> Task<Scene> {
-    let got =
-        "let got: Vec<_> = shape.vertices.iter().map(|vertex| (vertex.normal, vertex.uv)).collect();";
+    let got = "let got: Vec<_> = shape.vertices.iter().map(|vertex| (vertex.normal, vertex.uv)).collect();";
     of_a_sphere(size, got, |shape| {
         Raw::rows(shape.vertices.iter().map(|vertex| {
             let [x, y, z] = vertex.normal.to_array();
