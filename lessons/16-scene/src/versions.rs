@@ -25,9 +25,9 @@ pub struct Version {
     pub animate: fn(&mut Scene, f64),
     /// Where the camera is at first, if it can move; else it stays at the origin and looks along −z.
     pub camera: Option<Orbit>,
-    /// Whether F1 switches to the sides of triangles and back.
+    /// Whether F1 switches to the sides of triangles, and back.
     pub wireframe: bool,
-    /// Whether F2 switches to smooth edges and back.
+    /// Whether edges are smooth until F2 switches that off.
     pub antialiasing: bool,
 }
 
@@ -80,10 +80,10 @@ pub fn orthographic(_size: Vec2) -> Mat4 {
 }
 // ANCHOR_END: orthographic
 
-/// The perspective of a picture of that size: 60 degrees from bottom to top.
+/// What a camera sees that looks so many degrees from bottom to top, in a picture of that size: from 0.1 to 100 before it.
 #[must_use]
-pub fn in_perspective(size: Vec2) -> Mat4 {
-    perspective(60.0, size.x / size.y, 0.1, 100.0).expect("a picture has a width and a height")
+pub fn in_perspective(fov: f32, size: Vec2) -> Mat4 {
+    perspective(fov, size.x / size.y, 0.1, 100.0).expect("a picture has a width and a height")
 }
 
 /// Nothing moves.
