@@ -20,8 +20,8 @@ pub(super) const CAMERA: Version = Version {
     what: "all there is so far, and a camera that moves around it",
     projection: |size| in_perspective(50.0, size),
     scene: all,
-    animate: turn,
-    camera: Some(Orbit { azimuth: 28.0, elevation: 18.0, distance: 6.4 }),
+    animate: Some(turn),
+    camera: Some(Orbit::new(28.0, 18.0, 6.4)),
     wireframe: true,
     antialiasing: false,
 };

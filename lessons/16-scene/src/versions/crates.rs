@@ -21,7 +21,7 @@ pub(super) const TEXTURE: Version = Version {
     what: "a wooden crate: a texture on each face",
     projection: |size| in_perspective(60.0, size),
     scene: |_| Ok(scene(vec![crate_at(&wooden_crate()?, [0.0, 0.0, 1.9])], Filtering::Nearest, Cull::None)),
-    animate: turn,
+    animate: Some(turn),
     camera: None,
     wireframe: false,
     antialiasing: false,
@@ -46,7 +46,7 @@ pub(super) const BLENDING: Version = Version {
     number: 8,
     what: "a crate that is seen through before a large one; bilinear filtering, backs culled",
     scene: |_| Ok(two_crates(&wooden_crate()?)),
-    animate: |scene, seconds| turn_one(&mut scene.entities[1], seconds),
+    animate: Some(|scene, seconds| turn_one(&mut scene.entities[1], seconds)),
     ..WIREFRAME
 };
 
