@@ -21,7 +21,7 @@ pub(super) const CAMERA: Version = Version {
     projection: |size| in_perspective(50.0, size),
     scene: all,
     animate: Some(turn),
-    camera: Some(Orbit::new(28.0, 18.0, 6.4)),
+    camera: Some(Orbit::new(28.0, 18.0, 6.2)),
     wireframe: true,
     antialiasing: false,
 };
@@ -30,7 +30,7 @@ pub(super) const ANTIALIASING: Version =
     Version { number: 10, what: "the same with smooth edges, until F2", antialiasing: true, ..CAMERA };
 
 /// Where the top of the board is.
-const BOARD: f32 = -0.8;
+const BOARD: f32 = -0.7;
 
 /// Crates and spheres on a board, one of each to be seen through, and a cube of all colours.
 // ANCHOR: all
@@ -51,7 +51,7 @@ fn all(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
     };
     let upper =
         Entity { position: Vec3::new(-0.85, BOARD + 1.6, -0.75), ..on_board(&wood, [0.0; 2], 0.8, -14.0) };
-    let board_size = Vec3::new(5.2, 0.16, 4.4);
+    let board_size = Vec3::new(4.8, 0.16, 3.8);
     Ok(Scene {
         entities: vec![
             Entity {
@@ -59,7 +59,7 @@ fn all(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
                 alpha: 0.5,
                 ..on_board(&wood, [0.0; 2], 0.6, 0.0)
             },
-            Entity { position: Vec3::new(-1.6, -0.1, 1.0), ..on_board(&colors, [0.0; 2], 0.65, 0.0) },
+            Entity { position: Vec3::new(-1.6, BOARD + 0.7, 0.9), ..on_board(&colors, [0.0; 2], 0.65, 0.0) },
             Entity { position: Vec3::new(0.0, BOARD - 0.08, 0.0), scale: board_size, ..Entity::new(board) },
             on_board(&wood, [-0.85, -0.7], 1.2, 24.0),
             upper,
