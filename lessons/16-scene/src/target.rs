@@ -7,6 +7,7 @@ use common::{Format, Image};
 
 use crate::kept::Kept;
 use crate::shader::Lamps;
+use crate::wireframe::Wires;
 
 /// One sample a pixel.
 pub(crate) type Single = Multisampled<1, Samples<1>>;
@@ -36,6 +37,7 @@ pub struct Target {
     pub(crate) kept: Kept,
     /// The lights, made ready for shaders.
     pub(crate) lamps: Lamps,
+    pub(crate) wires: Wires,
 }
 
 impl Target {
@@ -51,6 +53,7 @@ impl Target {
             queue: Vec::new(),
             kept: Kept::default(),
             lamps: Lamps::default(),
+            wires: Wires::default(),
         }
     }
 
