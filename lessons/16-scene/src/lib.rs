@@ -3,10 +3,13 @@
 pub mod entity;
 pub mod frustum;
 pub mod head;
+pub mod held;
+pub mod kept;
 pub mod keys;
 pub mod levels;
 pub mod mesh;
 pub mod orbit;
+pub mod pixels;
 pub mod render;
 pub mod scene;
 pub mod shader;

@@ -2,22 +2,24 @@
 
 use std::ops::AddAssign;
 
-use antialiasing::canvas::{Canvas, render};
+use antialiasing::canvas::{Canvas, render_with};
 use antialiasing::resolve;
-use blending::depth::DepthStage;
-use blending::{Over, State, TwoShift};
+use blending::compare::Compare;
+use blending::translucent::{Translucent, faded};
+use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
-use common::{Mat4, Vec2, Vec3};
+use common::{Image, Mat4, Vec2, Vec3};
 use filtering::filter::{Bilinear, Nearest, Trilinear};
 use transforms::inverse::elimination;
 
 use crate::entity::Entity;
 use crate::frustum::{pixels_per_unit, sees};
+use crate::kept::Kept;
 use crate::mesh::{Mesh, Paint};
 use crate::scene::{Filtering, Scene, Shading};
-use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
+use crate::shader::{AtPixels, AtVertices, Base, Lamps, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
-use crate::wireframe;
+use crate::wireframe::Wires;
 
 /// What became of entities and of their triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,6 +47,8 @@ struct View {
     to_clip: Mat4,
     /// The eye in the world.
     eye: Vec3,
+    /// The picture's size in pixels.
+    size: Vec2,
 }
 
 /// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
@@ -55,43 +59,38 @@ struct View {
 /// there is no eye, and nothing but the background is seen.
 // ANCHOR: render_scene
 pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inverse_camera: &Mat4) -> Counts {
+    let Target { antialiased, wireframe, picture, single, many, queue, kept, lamps, wires } = target;
+    let to_clip = *projection * *inverse_camera;
+    let camera = elimination(inverse_camera);
+    let eye = camera.unwrap_or_default().w_axis.truncate();
+    let view = View { to_clip, eye, size: picture.size() };
     let mut counts = Counts::default();
-    let view = elimination(inverse_camera)
-        .map(|camera| View { to_clip: *projection * *inverse_camera, eye: camera.w_axis.truncate() });
-    target.queue.clear();
-    if let Some(view) = &view {
-        enqueue(scene, view, inverse_camera, &mut target.queue, &mut counts);
+    queue.clear();
+    if camera.is_some() {
+        enqueue(scene, &view, inverse_camera, *wireframe, queue, &mut counts);
     }
-    let Target { picture, single, many, queue, .. } = target;
-    let Some(view) = view else {
-        picture.set_all(|_| scene.background);
-        return counts;
-    };
-    if target.wireframe {
-        picture.set_all(|_| scene.background);
-        let size = picture.size();
-        for queued in &*queue {
-            let entity = &scene.entities[queued.entity];
-            let mesh = level(entity, &view, size);
-            let to_clip = view.to_clip * entity.to_world();
-            wireframe::draw(mesh, &to_clip, cull(scene, entity), entity.alpha, target.antialiased, picture);
-        }
-    } else if target.antialiased {
-        let canvas = canvas(many, picture);
-        counts.triangles += draw(scene, &view, queue, canvas);
-        canvas.resolve(resolve, picture);
+    lamps.set(&scene.lights);
+    counts.triangles = if *wireframe {
+        draw_wires(scene, &view, queue, *antialiased, wires, picture)
+    } else if *antialiased {
+        draw(scene, &view, queue, lamps, kept, canvas(many, picture), picture)
     } else {
-        let canvas = canvas(single, picture);
-        counts.triangles += draw(scene, &view, queue, canvas);
-        canvas.resolve(resolve, picture);
-    }
+        draw(scene, &view, queue, lamps, kept, canvas(single, picture), picture)
+    };
     counts
 }
 // ANCHOR_END: render_scene
 
-/// Who is to be drawn, in this order.
+/// Who is to be drawn, in this order. Through a wireframe one sees, so all are drawn from the farthest on.
 // ANCHOR: enqueue
-fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Queued>, counts: &mut Counts) {
+fn enqueue(
+    scene: &Scene,
+    view: &View,
+    inverse_camera: &Mat4,
+    wireframe: bool,
+    queue: &mut Vec<Queued>,
+    counts: &mut Counts,
+) {
     for (number, entity) in scene.entities.iter().enumerate() {
         let bounds = entity.bounds();
         if entity.normals_to_world().is_none() {
@@ -100,7 +99,8 @@ fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Qu
             counts.outside += 1;
         } else if entity.alpha > 0.0 {
             let depth = -inverse_camera.transform_point3(bounds.center).z;
-            queue.push(Queued { transparent: !entity.is_opaque(), depth, entity: number });
+            let transparent = wireframe || !entity.is_opaque();
+            queue.push(Queued { transparent, depth, entity: number });
         }
     }
     queue.sort_unstable_by(|a, b| {
@@ -110,34 +110,52 @@ fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Qu
 }
 // ANCHOR_END: enqueue
 
+fn draw_wires(
+    scene: &Scene,
+    view: &View,
+    queue: &[Queued],
+    smooth: bool,
+    wires: &mut Wires,
+    picture: &mut Image,
+) -> clipping::Counts {
+    picture.set_all(|_| scene.background);
+    let mut counts = clipping::Counts::default();
+    for queued in queue {
+        let entity = &scene.entities[queued.entity];
+        let mesh = level(entity, view);
+        let to_clip = view.to_clip * entity.to_world();
+        let color = faded(mesh.mean(), entity.alpha);
+        counts += wires.draw(mesh, &to_clip, cull(scene, entity), color, smooth, picture);
+    }
+    counts
+}
+
 fn draw<C: Canvas<Stencil = ()>>(
     scene: &Scene,
     view: &View,
     queue: &[Queued],
+    lamps: &Lamps,
+    kept: &mut Kept,
     canvas: &mut C,
+    picture: &mut Image,
 ) -> clipping::Counts {
     canvas.clear(scene.background, false);
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
         let Some(normals_to_world) = entity.normals_to_world() else { continue };
-        let mesh = level(entity, view, canvas.size());
-        let placed = Placed {
-            mesh,
-            to_world: entity.to_world(),
-            normals_to_world,
-            eye: view.eye,
-            lights: &scene.lights,
-        };
+        let mesh = level(entity, view);
+        let placed = Placed { mesh, to_world: entity.to_world(), normals_to_world, eye: view.eye, lamps };
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
-        counts += pass.draw(canvas);
+        counts += pass.draw(kept, canvas);
     }
+    canvas.resolve(resolve, picture);
     counts
 }
 
 /// The mesh of an entity that is fine enough.
-fn level<'a>(entity: &'a Entity, view: &View, size: Vec2) -> &'a Mesh {
-    let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), size);
+fn level<'a>(entity: &'a Entity, view: &View) -> &'a Mesh {
+    let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), view.size);
     entity.levels.choose(pixels * entity.scale.abs().max_element())
 }
 
@@ -161,33 +179,38 @@ struct Pass<'a> {
 
 // ANCHOR: pass
 impl Pass<'_> {
-    fn draw<C: Canvas<Stencil = ()>>(&self, canvas: &mut C) -> clipping::Counts {
+    fn draw<C: Canvas<Stencil = ()>>(&self, kept: &mut Kept, canvas: &mut C) -> clipping::Counts {
         let mesh = self.placed.mesh;
         match mesh.paint() {
-            Paint::Color(color) => self.colored(*color, canvas),
-            Paint::Colors(colors) => self.colored(&colors[..], canvas),
+            Paint::Color(color) => self.colored(*color, kept, canvas),
+            Paint::Colors(colors) => self.colored(&colors[..], kept, canvas),
             Paint::Texture(texture) => {
                 let (uvs, size) = (mesh.uvs(), canvas.size());
                 match self.scene.style.filter {
                     Filtering::Nearest => {
-                        self.colored(Textured { texture, uvs, filter: Nearest, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Nearest, size }, kept, canvas)
                     }
                     Filtering::Bilinear => {
-                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, kept, canvas)
                     }
                     Filtering::Trilinear => {
-                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, kept, canvas)
                     }
                 }
             }
         }
     }
 
-    fn colored<C: Canvas<Stencil = ()>>(&self, base: impl Base, canvas: &mut C) -> clipping::Counts {
+    fn colored<C: Canvas<Stencil = ()>>(
+        &self,
+        base: impl Base,
+        kept: &mut Kept,
+        canvas: &mut C,
+    ) -> clipping::Counts {
         match self.scene.style.shading {
-            Shading::Unlit => self.lit(base, (), canvas),
-            Shading::Phong => self.lit(base, AtVertices(self.placed), canvas),
-            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), canvas),
+            Shading::Unlit => self.lit(base, (), kept, canvas),
+            Shading::Phong => self.lit(base, AtVertices(self.placed), kept, canvas),
+            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), kept, canvas),
         }
     }
 
@@ -195,37 +218,25 @@ impl Pass<'_> {
         &self,
         base: impl Base,
         lighting: impl Lighting,
+        kept: &mut Kept,
         canvas: &mut C,
     ) -> clipping::Counts {
         let Placed { mesh, to_world, .. } = self.placed;
         let to_clip = self.view.to_clip * to_world;
-        let look = Look { mesh, to_clip, base, lighting, alpha: self.entity.alpha };
+        let look = Look { mesh, to_clip, base, lighting };
+        let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
+        if !self.transparent {
+            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
+        }
+        let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
         let state = State {
             scissor: (),
             stencil: (),
-            depth: Nearer { write: !self.transparent },
-            blend: self.transparent.then(Over::<TwoShift>::default),
+            depth: DepthTest { function: Compare::Less, write: false },
+            blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render(&look, mesh.assembled(), cull(self.scene, self.entity), state, canvas)
+        render_with(kept.of(), &shader, mesh, cull, state, canvas)
     }
 }
 // ANCHOR_END: pass
-
-/// What is nearer passes; whether its depth is kept is decided when the program runs.
-#[derive(Clone, Copy)]
-struct Nearer {
-    write: bool,
-}
-
-impl DepthStage for Nearer {
-    #[inline]
-    fn passes(self, depth: f32, kept: f32) -> bool {
-        depth < kept
-    }
-
-    #[inline]
-    fn writes(self) -> bool {
-        self.write
-    }
-}

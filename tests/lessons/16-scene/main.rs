@@ -1,6 +1,7 @@
 //! Lesson 16: what its methods draw, where they fail, what its program is asked.
 
 mod head;
+mod cost;
 mod snapshots;
 mod stability;
 mod usage;
