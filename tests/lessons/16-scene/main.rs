@@ -1,7 +1,7 @@
 //! Lesson 16: what its methods draw, where they fail, what its program is asked.
 
-mod head;
 mod cost;
+mod head;
 mod snapshots;
 mod stability;
 mod usage;
