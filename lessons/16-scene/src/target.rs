@@ -82,3 +82,23 @@ impl Target {
 pub(crate) fn canvas<'a, C: Canvas>(kept: &'a mut Option<C>, picture: &Image) -> &'a mut C {
     kept.get_or_insert_with(|| C::new([picture.width(), picture.height()].map(|side| side as usize)))
 }
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+
+    #[test]
+    fn another_size_keeps_what_is_switched_and_the_same_size_the_picture() {
+        let mut target = Target::new(3, 2);
+        target.wireframe = true;
+        target.picture.set(1, 1, Color::RED);
+        target.resize(3, 2);
+        assert_eq!(target.picture().get(1, 1), Some(Color::RED));
+        target.resize(2, 3);
+        assert_eq!((target.picture().width(), target.picture().height()), (2, 3));
+        assert!(target.wireframe && !target.antialiased);
+        assert_eq!(target.picture().get(1, 1), Some(Color::BLACK));
+    }
+}
