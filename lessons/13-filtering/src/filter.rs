@@ -86,10 +86,11 @@ fn mix(from: Vec4, to: Vec4, share: f32) -> Vec4 {
 #[must_use]
 pub fn trilinear<L: Layout>(texture: &Texture<L>, uv: Vec2, level: f32) -> Vec4 {
     let (levels, wrap) = (texture.levels(), texture.wrap);
-    // A cast turns NaN and what is below 0 into 0.
-    let finer = level as usize;
     let last = levels.len() - 1;
-    if finer >= last {
+    // Counted, not cast: how often is what the last pixel's level tells a processor, which so fetches texels while this one's
+    // is still computed. NaN and what is below 0 is at no level.
+    let finer = (0..last).take_while(|&finer| level >= (finer + 1) as f32).count();
+    if finer == last {
         return bilinear(&levels[last], uv, wrap);
     }
     let share = level - finer as f32;

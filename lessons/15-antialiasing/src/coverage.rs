@@ -163,9 +163,14 @@ impl<const N: usize> Row<'_, N> {
             }
             Told::ByAsking { small: Small { margins: [for_a, for_b, for_c] }, .. } => {
                 let [a, b, c] = edges.to_array().map(|edge| edge as i32);
-                // The sign of the three together is that of the least.
-                let least = |s: usize| (a + for_a[s]) | (b + for_b[s]) | (c + for_c[s]);
-                (0..N).fold(0, |mask, s| mask | u32::from(least(s) >= 0) << s)
+                // The sign of the three together is that of the least: 0 or −1 after the shift, and then no bit or that of the
+                // sample. No branch and no bool, so that all samples are computed at once.
+                let mut mask = 0;
+                for s in 0..N {
+                    let outside = ((a + for_a[s]) | (b + for_b[s]) | (c + for_c[s])) >> 31;
+                    mask |= !outside & 1 << s;
+                }
+                mask as u32
             }
         }
     }

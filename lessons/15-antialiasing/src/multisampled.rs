@@ -197,8 +197,10 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                 let (kept, stencils) = (&mut kept[pixel], &mut stencils[pixel]);
                 let mut test = |s: usize| state.test(IVec2::new(x, y), depths[s], kept[s], &mut stencils[s]);
                 let mut seen = 0;
-                if covered == all::<N>() {
+                if covered == all::<N>() || size_of::<K>() == 0 {
+                    // Without a stencil no test leaves a trace, and to test all samples at once takes less than to choose.
                     (0..N).for_each(|s| seen |= if test(s) { 1 << s } else { 0 });
+                    seen &= covered;
                 } else {
                     (0..N).for_each(|s| seen |= u32::from(covered >> s & 1 == 1 && test(s)) << s);
                 }
@@ -221,7 +223,8 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                     if state.writes_depth() && samples == all::<N>() {
                         *kept = depths;
                     } else if state.writes_depth() {
-                        (0..N).filter(|s| samples >> s & 1 == 1).for_each(|s| kept[s] = depths[s]);
+                        (0..N)
+                            .for_each(|s| kept[s] = if samples >> s & 1 == 1 { depths[s] } else { kept[s] });
                     }
                 };
                 if N > 1 && H::AT == At::Sample {
