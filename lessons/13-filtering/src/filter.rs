@@ -8,7 +8,7 @@
 
 use common::{Color, Vec2, Vec4};
 
-use crate::footprint::{Asked, Axes, Footprint, level};
+use crate::footprint::{Asked, Axes, Footprint, level_of};
 use crate::layout::Layout;
 use crate::texture::{Level, Texture};
 use crate::wrap::Wrap;
@@ -173,8 +173,15 @@ impl Filter for Trilinear {
 
     #[inline]
     fn color<L: Layout>(self, texture: &Texture<L>, uv: Vec2, footprint: Footprint) -> Color {
-        let level = level(footprint, texture.base().size());
-        texture.base().codes().color(trilinear(texture, uv, level))
+        let base = texture.base();
+        let longer_squared = footprint.longer_squared(base.size());
+        // Where the texture is enlarged it takes no logarithm to know the level.
+        let light = if longer_squared > 1.0 {
+            trilinear(texture, uv, level_of(longer_squared))
+        } else {
+            bilinear(base, uv, texture.wrap)
+        };
+        base.codes().color(light)
     }
 }
 

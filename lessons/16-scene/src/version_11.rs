@@ -27,7 +27,7 @@ pub const VERSION: Version = Version {
     projection,
     scene,
     animate: Some(animate),
-    camera: Some(Orbit::new(24.0, 11.0, 5.6)),
+    camera: Some(Orbit::new(24.0, 5.0, 6.2)),
     wireframe: true,
     antialiasing: true,
 };
@@ -70,7 +70,7 @@ fn checks() -> Image {
     for (x, y, color) in [(0, 0, 0xb8), (1, 1, 0xb8), (0, 1, 0x50), (1, 0, 0x50)] {
         image.set(x, y, Color::rgb(color, color, color));
     }
-    image.scale(256, 256)
+    image.scale(128, 128)
 }
 
 fn scene(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
@@ -107,7 +107,7 @@ fn scene(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
     };
     Ok(Scene {
         entities,
-        lights: vec![light(3.0, 4.0, 4.0, 0.75, 0.5, 64.0), light(-5.0, 3.0, 1.0, 0.3, 0.25, 32.0)],
+        lights: vec![light(3.0, 4.0, 4.0, 0.75, 0.5, 64.0), light(-5.0, 3.0, 1.0, 0.3, 0.0, 1.0)],
         background: NIGHT,
         style: Style { shading: Shading::BlinnPhong, filter: Filtering::Trilinear, cull: Cull::Back },
     })
