@@ -4,4 +4,5 @@ mod cost;
 mod head;
 mod snapshots;
 mod stability;
+mod stage;
 mod usage;
