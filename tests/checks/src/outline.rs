@@ -57,6 +57,13 @@ impl Ellipse {
         self.center + if length > 0.0 { along / length } else { DVec2::ZERO }
     }
 
+    /// Its area, in pixels.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let [xx, xy, yy] = self.spread;
+        TAU / 2.0 * (xx * yy - xy * xy).sqrt()
+    }
+
     /// Whether a point is within it.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {
@@ -140,6 +147,7 @@ mod tests {
                 .unwrap();
         // 3/4 of half of 100 px, up and, half as much enlarged in a picture twice as wide, to the right.
         assert_eq!(ellipse.center, DVec2::new(100.0, 50.0));
+        assert!((ellipse.area() - TAU / 2.0 * 37.5 * 37.5).abs() < 1e-9);
         for angle in [0.0, 0.3, 2.0, 4.5] {
             let n = DVec2::from_angle(angle);
             assert!((ellipse.reach(n) - n.dot(ellipse.center) - 37.5).abs() < 1e-12);
