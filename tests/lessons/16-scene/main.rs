@@ -2,4 +2,6 @@
 
 mod snapshots;
 mod stability;
+mod truth;
 mod usage;
+mod versions;

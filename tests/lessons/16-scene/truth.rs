@@ -131,6 +131,11 @@ pub(crate) fn codes(Color { r, g, b, a }: Color) -> [f64; 4] {
     [r, g, b, a].map(f64::from)
 }
 
+/// The largest difference of a channel.
+pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|n| (a[n] - b[n]).abs()).fold(0.0, f64::max)
+}
+
 /// The sum of three things with weights.
 fn mean<const N: usize>(weights: DVec3, of: [[f64; N]; 3]) -> [f64; N] {
     std::array::from_fn(|n| (0..3).map(|corner| weights[corner] * of[corner][n]).sum())
@@ -236,7 +241,7 @@ impl Truth {
                 [r, g, b]
             }
             Some(wood) => {
-                let [u, v] = mean(hit.weights, face.uvs.map(DVec2::to_array));
+                let [u, v] = mean(hit.weights, face.uvs.map(<[f64; 2]>::from));
                 wood.color(DVec2::new(u, v), self.style.filter)
             }
         };
@@ -244,7 +249,7 @@ impl Truth {
             Shading::Unlit => return base,
             Shading::Phong => mean(hit.weights, face.reflected),
             Shading::BlinnPhong => {
-                let of = |of: [DVec3; 3]| DVec3::from(mean(hit.weights, of.map(DVec3::to_array)));
+                let of = |of: [DVec3; 3]| DVec3::from(mean(hit.weights, of.map(<[f64; 3]>::from)));
                 self.reflected(of(face.corners), of(face.normals), Highlight::Halfway)
             }
         };
@@ -260,14 +265,17 @@ impl Truth {
     }
 
     /// The colour of the pixel in this column and row, rows from the bottom; `None` where a corner's rounding to 1/256 px
-    /// may decide which triangle is seen.
+    /// may decide which triangle or which texel is seen.
     pub(crate) fn pixel(&self, x: i32, y: i32, size: DVec2) -> Option<[f64; 3]> {
         let center = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let seen = self.seen(center, size);
         let faces = |hits: &[Hit]| hits.iter().map(|hit| [hit.thing, hit.face]).collect::<Vec<_>>();
-        let beside = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|way| center + way / 100.0);
-        let certain = beside.iter().all(|&at| faces(&self.seen(at, size)) == faces(&seen));
-        certain.then(|| self.over(&seen))
+        let seen = self.seen(center, size);
+        let color = self.over(&seen);
+        let certain = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].iter().all(|way| {
+            let beside = self.seen(center + way / 100.0, size);
+            faces(&beside) == faces(&seen) && distance(self.over(&beside), color) < 0.5
+        });
+        certain.then_some(color)
     }
 
     /// The colour at a place, in pixels from the lower left corner.
@@ -287,8 +295,7 @@ impl Truth {
                 continue;
             };
             let [r, g, b, _] = codes(color);
-            let off = [r, g, b].iter().zip(expected).map(|(got, expected)| (got - expected).abs());
-            if off.fold(0.0, f64::max) > tolerance {
+            if distance([r, g, b], expected) > tolerance {
                 wrong.push(format!("({x}, {y}) is {color:?}, not {expected:.2?}"));
             }
             shown += usize::from(expected != self.background);
