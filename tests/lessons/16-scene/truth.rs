@@ -17,6 +17,8 @@ use scene::{Entity, Filtering, Mesh, Orbit, Paint, Scene, Shading, Style};
 pub(crate) enum Eye {
     /// By version 0's formula, which shows x/5 and y/5, from the origin.
     Orthographic,
+    /// The same, but as if its eye were infinitely far away, and so in one direction from all that it lights.
+    AlongZ,
     /// From the origin along −z, so many degrees from bottom to top.
     Ahead(f64),
     /// From an orbit to the origin, likewise.
@@ -35,6 +37,7 @@ impl Eye {
     fn place(self) -> DVec3 {
         match self {
             Self::Orthographic | Self::Ahead(_) => DVec3::ZERO,
+            Self::AlongZ => DVec3::Z * 1e9,
             Self::Around(Orbit { azimuth, elevation, distance }, _) => {
                 let [azimuth, elevation] = [azimuth, elevation].map(|angle| f64::from(angle).to_radians());
                 let level = DVec3::new(azimuth.sin(), 0.0, azimuth.cos());
@@ -47,7 +50,7 @@ impl Eye {
     fn through(self, at: DVec2, size: DVec2) -> Ray {
         let from = self.place();
         match self {
-            Self::Orthographic => {
+            Self::Orthographic | Self::AlongZ => {
                 let DVec2 { x, y } = shown(DVec2::new(at.x, size.y - at.y), size);
                 Ray { from: DVec3::new(x, y, 0.0), along: DVec3::NEG_Z }
             }
@@ -93,6 +96,8 @@ pub(crate) struct Truth {
     background: [f64; 3],
     style: Style,
     eye: Eye,
+    /// How far before the eye there is something to be seen.
+    pub(crate) depths: [f64; 2],
 }
 
 /// A point that a ray meets.
@@ -146,8 +151,14 @@ impl Truth {
     pub(crate) fn new(scene: &Scene, eye: Eye) -> Self {
         let lamps: Vec<Lamp> = scene.lights.iter().map(lamp).collect();
         let [r, g, b, _] = codes(scene.background);
-        let mut truth =
-            Self { things: Vec::new(), lamps, background: [r, g, b], style: scene.style, eye };
+        let mut truth = Self {
+            things: Vec::new(),
+            lamps,
+            background: [r, g, b],
+            style: scene.style,
+            eye,
+            depths: [0.0, f64::INFINITY],
+        };
         truth.things = scene.entities.iter().map(|entity| truth.thing(entity)).collect();
         truth
     }
@@ -208,14 +219,16 @@ impl Truth {
                 let from = face.corners.map(|corner| corner - ray.from);
                 let weights = ray::hit(from, ray.along).weights;
                 let point = weights.x * from[0] + weights.y * from[1] + weights.z * from[2];
+                // Rays are 1 long along the way that the eye looks.
                 let distance = point.dot(ray.along) / ray.along.length_squared();
+                let [near, far] = self.depths;
                 let shows_back = face.outward.dot(ray.along) > 0.0;
                 let left_out = match self.style.cull {
                     Cull::None => false,
                     Cull::Back => shows_back,
                     Cull::Front => !shows_back,
                 };
-                if weights.min_element() >= 0.0 && distance > 0.0 && !left_out {
+                if weights.min_element() >= 0.0 && (near..=far).contains(&distance) && !left_out {
                     hits.push(Hit { thing: n, face: m, weights, distance });
                 }
             }
@@ -281,6 +294,16 @@ impl Truth {
     /// The colour at a place, in pixels from the lower left corner.
     pub(crate) fn at(&self, at: DVec2, size: DVec2) -> [f64; 3] {
         self.over(&self.seen(at, size))
+    }
+
+    /// By how many levels a channel of a picture is off at most, where no rounding decides.
+    pub(crate) fn worst(&self, picture: &Image) -> f64 {
+        let size = picture.size().as_dvec2();
+        let off = picture.pixels().filter_map(|(x, y, color)| {
+            let [r, g, b, _] = codes(color);
+            Some(distance([r, g, b], self.pixel(x, y, size)?))
+        });
+        off.fold(0.0, f64::max)
     }
 
     /// Checks that a picture shows it, each channel to within so many levels, and that no more than that share of its pixels

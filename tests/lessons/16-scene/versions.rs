@@ -3,8 +3,9 @@
 use std::time::Duration;
 
 use checks::assignment::mirrored;
-use common::{Color, DVec3, Image};
-use scene::{Paint, Scene, Shading, Simulation, Target, VERSIONS, Version};
+use common::{Color, DVec3, Image, Mat4};
+use scene::{Counts, Paint, Scene, Shading, Simulation, Target, VERSIONS, Version, render_scene};
+use transforms::inverse::elimination;
 
 use crate::truth::{Eye, Truth, placement};
 
@@ -33,6 +34,17 @@ pub(crate) fn picture_at(number: usize, seconds: f64, antialiased: bool) -> Imag
     target.antialiased = antialiased;
     simulation.draw(&mut target);
     target.into_picture()
+}
+
+/// What is seen of a scene as a version looks at its own, and what became of it.
+pub(crate) fn drawn(scene: &Scene, number: usize) -> (Image, Counts) {
+    let mut target = Target::new(SIZE[0], SIZE[1]);
+    let Version { projection, camera, .. } = &VERSIONS[number];
+    let camera = camera.map_or(Mat4::IDENTITY, |orbit| orbit.camera());
+    let inverse = elimination(&camera).expect("a camera that has an inverse");
+    let projection = projection(target.picture().size());
+    let counts = render_scene(scene, &mut target, &projection, &inverse);
+    (target.into_picture(), counts)
 }
 
 /// Who looks at a version.
@@ -73,7 +85,8 @@ fn things_stand_where_the_assignment_says() {
     let found = [0, 1, 2].map(|corner| colors[mesh.vertex(0, corner)]);
     assert_eq!(found, [Color::RED, Color::GREEN, Color::rgb(0, 0, 255)]);
     for number in 2..=5 {
-        let paints = scene_at(number, 0.0).entities.iter().map(|entity| entity.levels.clone()).collect::<Vec<_>>();
+        let paints =
+            scene_at(number, 0.0).entities.iter().map(|entity| entity.levels.clone()).collect::<Vec<_>>();
         let color = |n: usize| match paints[n].finest().paint() {
             Paint::Color(color) => *color,
             Paint::Colors(_) | Paint::Texture(_) => panic!("one colour"),
