@@ -121,7 +121,7 @@ fn mirrored_things_are_seen_from_outside() {
                 "{axes} {cull:?}: {} pixels differ",
                 different(&mirrored, &expected)
             );
-            assert!(covered(&mirrored) > 200);
+            assert!(covered(&mirrored) > 100, "{}", covered(&mirrored));
             assert_eq!(counts.triangles.culled, expected_counts.triangles.culled);
         }
     }
@@ -129,7 +129,8 @@ fn mirrored_things_are_seen_from_outside() {
     let mut inside_out = lit(vec![remade(Vec3::ONE)]);
     let right = seen(&inside_out).0;
     inside_out.style.cull = Cull::Front;
-    assert!(different(&right, &seen(&inside_out).0) > 200);
+    let wrong = different(&right, &seen(&inside_out).0);
+    assert!(wrong > 100, "{wrong}");
 }
 
 /// A camera's matrix of zeros has no inverse, and neither has the other way round: no eye, so nothing is seen.
@@ -229,7 +230,7 @@ fn what_is_not_seen_costs_no_vertex() {
 #[test]
 fn the_smallest_pictures() {
     let scene = lit(vec![Entity { scale: Vec3::splat(2.0), ..Entity::new(patched_cube()) }]);
-    for size in [[1, 1], [1, 40], [40, 1], [2, 1]] {
+    for size in [[1, 1], [1, 41], [41, 1], [3, 1]] {
         for [antialiased, wireframe] in WAYS {
             let mut target = Target::new(size[0], size[1]);
             (target.antialiased, target.wireframe) = (antialiased, wireframe);

@@ -21,7 +21,10 @@ proptest! {
     #[test]
     fn at_the_eye_a_light_shows_where_surfaces_face_it(at in point(), normal in point()) {
         let light = PointLight { position: Vec3::ZERO, ..PointLight::default() };
+        // Of the two sides the one that is seen.
         let cosine = normal.normalize().dot(-at.normalize());
+        let normal = normal * cosine.signum();
+        let cosine = cosine.abs();
         prop_assume!(cosine > 0.05);
         let mirrored = (2.0 * cosine * cosine - 1.0).max(0.0);
         for (got, cosine) in [(phong(at, normal, Vec3::ZERO, &light), mirrored), (blinn_phong(at, normal, Vec3::ZERO, &light), cosine)] {
@@ -36,7 +39,7 @@ proptest! {
 /// what lights are seen from here, in any projection. Seen along z instead, highlights would lie elsewhere.
 #[test]
 fn the_eye_is_the_cameras_place_in_an_orthographic_view_too() {
-    for (number, least) in [(3, 20.0), (4, 20.0)] {
+    for (number, least) in [(3, 10.0), (4, 20.0)] {
         let scene = scene_at(number, 0.0);
         let picture = drawn(&scene, number).0;
         Truth::new(&scene, Eye::Orthographic).check(&picture, 1.02, 0.1);
@@ -51,13 +54,12 @@ fn the_eye_is_the_cameras_place_in_an_orthographic_view_too() {
 fn at_corners_a_highlight_is_lost() {
     // Of the red cube, green is what white there is: of the highlight alone.
     let green = |number: usize| {
-        let scene = scene_at(number, 0.0);
-        let cube = drawn(&scene, number).0;
-        let red = |color: Color| color.r > color.b;
-        cube.pixels().filter(|pixel| red(pixel.2)).map(|pixel| pixel.2.g).max().expect("some of the cube")
+        let mut scene = scene_at(number, 0.0);
+        scene.entities.truncate(1);
+        drawn(&scene, number).0.pixels().map(|pixel| pixel.2.g).max()
     };
-    assert!(green(3) <= 1, "{}", green(3));
-    assert!(green(4) >= 90, "{}", green(4));
+    assert_eq!(green(3), Some(0));
+    assert!(green(4) >= Some(95), "{:?}", green(4));
 }
 
 /// Version 3 is lit at corners, version 4 at pixels: rays that are lit the other way are off by far.
@@ -196,7 +198,9 @@ fn a_cube_needs_24_vertices() {
     };
     let [round, edged] = [picture(round), picture(at(cube_of(Color::WHITE)))];
     let off = round.pixels().zip(edged.pixels()).map(|(a, b)| checks::picture::distance(a.2, b.2));
-    assert!(off.filter(|&off| off > 30).count() > 100);
+    let off: Vec<u8> = off.collect();
+    let [some, most] = [15, 60].map(|least| off.iter().filter(|&&off| off > least).count());
+    assert!(some > 50 && most > 10, "{some} {most}");
     assert_eq!((cube().vertices.len(), cube().triangles.len()), (24, 12));
 }
 

@@ -1,7 +1,10 @@
 //! Lesson 16: what its methods draw, where they fail, what its program is asked.
 
+mod alike;
 mod alpha;
+mod any_scene;
 mod cameras;
+mod colors;
 mod degenerate;
 mod handedness;
 mod lights;
@@ -10,6 +13,8 @@ mod ownership;
 mod pictures;
 mod pixels;
 mod planes;
+mod projections;
+mod samples;
 mod snapshots;
 mod stability;
 mod truth;

@@ -18,7 +18,7 @@ use transforms::inverse::elimination;
 pub(crate) const SIZE: [u16; 2] = [64, 48];
 
 /// From where scenes are looked at: off all axes.
-pub(crate) const ORBIT: Orbit = Orbit { azimuth: 25.0, elevation: 20.0, distance: 5.0 };
+pub(crate) const ORBIT: Orbit = Orbit::new(25.0, 20.0, 5.0);
 
 /// What is behind everything.
 pub(crate) const SKY: Color = Color::rgb(10, 20, 40);

@@ -38,10 +38,11 @@ impl Eye {
         match self {
             Self::Orthographic | Self::Ahead(_) => DVec3::ZERO,
             Self::AlongZ => DVec3::Z * 1e9,
-            Self::Around(Orbit { azimuth, elevation, distance }, _) => {
-                let [azimuth, elevation] = [azimuth, elevation].map(|angle| f64::from(angle).to_radians());
+            Self::Around(orbit, _) => {
+                let [azimuth, elevation] =
+                    [orbit.azimuth(), orbit.elevation()].map(|angle| f64::from(angle).to_radians());
                 let level = DVec3::new(azimuth.sin(), 0.0, azimuth.cos());
-                f64::from(distance) * (level * elevation.cos() + DVec3::Y * elevation.sin())
+                f64::from(orbit.distance()) * (level * elevation.cos() + DVec3::Y * elevation.sin())
             }
         }
     }

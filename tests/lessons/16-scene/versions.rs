@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use checks::assignment::mirrored;
 use common::{Color, DVec3, Image, Mat4};
+use scene::keys::Key;
 use scene::{Counts, Paint, Scene, Shading, Simulation, Target, VERSIONS, Version, render_scene};
 use transforms::inverse::elimination;
 
@@ -22,16 +23,20 @@ pub(crate) const COARSE: &[[usize; 2]] = &[[8, 16]];
 pub(crate) fn scene_at(number: usize, seconds: f64) -> Scene {
     let Version { scene, animate, .. } = &VERSIONS[number];
     let mut scene = scene(COARSE).expect("the assets are there");
-    animate(&mut scene, seconds);
+    if let Some(animate) = animate {
+        animate(&mut scene, seconds);
+    }
     scene
 }
 
-/// What the program shows of a version at that time.
+/// What the program shows of a version at that time, with one sample a pixel or, where the version has them, with sixteen.
 pub(crate) fn picture_at(number: usize, seconds: f64, antialiased: bool) -> Image {
     let mut simulation = Simulation::new(&VERSIONS[number], COARSE).expect("the assets are there");
     simulation.advance(Duration::from_secs_f64(seconds));
+    if VERSIONS[number].antialiasing && !antialiased {
+        simulation.press(Key::F2);
+    }
     let mut target = Target::new(SIZE[0], SIZE[1]);
-    target.antialiased = antialiased;
     simulation.draw(&mut target);
     target.into_picture()
 }
