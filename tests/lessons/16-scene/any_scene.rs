@@ -1,17 +1,19 @@
 //! What holds for any scene: drawing it ends, and leaves a picture.
 
+use std::sync::Arc;
+
 use clipping::Cull;
-use common::{Color, Mat4, Vec3};
+use common::{Color, Mat4, Vec2, Vec3};
 use lighting::PointLight;
 use lighting::light::Falloff;
 use proptest::num::f32::ANY;
 use proptest::prelude::*;
-use scene::versions::{in_perspective, orthographic};
+use scene::versions::orthographic;
 use scene::{
     Entity, Filtering, Levels, Mesh, Paint, Scene, Shading, Shape, Style, Target, cube, render_scene,
 };
 
-use crate::pictures::{covered, cube_of, different, patched_cube, sphere_of};
+use crate::pictures::{SKY, ahead, covered, cube_of, different, patched_cube, sphere_of};
 
 /// Numbers as scenes have them, and as they should not.
 fn number(wild: bool) -> BoxedStrategy<f32> {
@@ -46,28 +48,76 @@ fn color() -> impl Strategy<Value = Color> {
     any::<[u8; 4]>().prop_map(|[r, g, b, a]| Color { r, g, b, a })
 }
 
-/// Any triangles of a cube's vertices, moved anywhere, in any colours.
-fn mesh(wild: bool) -> impl Strategy<Value = std::sync::Arc<Levels>> {
-    let corners = prop::collection::vec([0..24_u32, 0..24_u32, 0..24_u32], 1..12);
-    let moved = prop::collection::vec(vector(wild), 24);
-    let random =
-        (corners, moved, prop::collection::vec(color(), 24)).prop_map(|(triangles, moved, colors)| {
-            let mut vertices = cube().vertices;
-            vertices.iter_mut().zip(moved).for_each(|(vertex, position)| vertex.position = position);
-            Levels::one(Mesh::new(&Shape { vertices, triangles }, Paint::Colors(colors)))
-        });
-    prop_oneof![
-        random,
-        color().prop_map(cube_of),
-        color().prop_map(sphere_of),
-        Just(()).prop_map(|()| patched_cube()),
-    ]
+/// What a mesh is made of.
+#[derive(Clone, Debug)]
+enum Form {
+    Cube(Color),
+    Sphere(Color),
+    Patched,
+    /// Any triangles of a cube's vertices, moved anywhere, in any colours.
+    Any {
+        triangles: Vec<[u32; 3]>,
+        positions: Vec<Vec3>,
+        colors: Vec<Color>,
+    },
 }
 
-fn entity(wild: bool) -> impl Strategy<Value = Entity> {
+impl Form {
+    fn levels(&self) -> Arc<Levels> {
+        match self {
+            &Self::Cube(color) => cube_of(color),
+            &Self::Sphere(color) => sphere_of(color),
+            Self::Patched => patched_cube(),
+            Self::Any { triangles, positions, colors } => {
+                let mut vertices = cube().vertices;
+                vertices.iter_mut().zip(positions).for_each(|(vertex, &position)| vertex.position = position);
+                let shape = Shape { vertices, triangles: triangles.clone() };
+                Levels::one(Mesh::new(&shape, Paint::Colors(colors.clone())))
+            }
+        }
+    }
+}
+
+/// A mesh and its place.
+#[derive(Clone, Debug)]
+struct Thing {
+    form: Form,
+    place: [Vec3; 3],
+    alpha: f32,
+}
+
+/// What a scene is made of.
+#[derive(Clone, Debug)]
+struct World {
+    things: Vec<Thing>,
+    lights: Vec<PointLight>,
+    background: Color,
+    style: Style,
+}
+
+impl World {
+    fn scene(&self) -> Scene {
+        let entity = |thing: &Thing| {
+            let [position, degrees, scale] = thing.place;
+            Entity { levels: thing.form.levels(), position, degrees, scale, alpha: thing.alpha }
+        };
+        let Self { lights, background, style, .. } = self.clone();
+        Scene { entities: self.things.iter().map(entity).collect(), lights, background, style }
+    }
+}
+
+fn form(wild: bool) -> impl Strategy<Value = Form> {
+    let corners = prop::collection::vec([0..24_u32, 0..24_u32, 0..24_u32], 1..12);
+    let parts = (corners, prop::collection::vec(vector(wild), 24), prop::collection::vec(color(), 24));
+    let any = parts.prop_map(|(triangles, positions, colors)| Form::Any { triangles, positions, colors });
+    prop_oneof![any, color().prop_map(Form::Cube), color().prop_map(Form::Sphere), Just(Form::Patched)]
+}
+
+fn thing(wild: bool) -> impl Strategy<Value = Thing> {
     let alpha = prop_oneof![Just(1.0_f32), number(wild), 0.0..1.0_f32];
-    (mesh(wild), vector(wild), vector(wild).prop_map(|v| v * 90.0), vector(wild), alpha).prop_map(
-        |(levels, position, degrees, scale, alpha)| Entity { levels, position, degrees, scale, alpha },
+    let degrees = vector(wild).prop_map(|degrees| degrees * 90.0);
+    (form(wild), vector(wild), degrees, vector(wild), alpha).prop_map(
+        |(form, position, degrees, scale, alpha)| Thing { form, place: [position, degrees, scale], alpha },
     )
 }
 
@@ -94,11 +144,11 @@ fn style() -> impl Strategy<Value = Style> {
     (shading, filter, cull).prop_map(|(shading, filter, cull)| Style { shading, filter, cull })
 }
 
-fn scene(wild: bool) -> impl Strategy<Value = Scene> {
-    let entities = prop::collection::vec(entity(wild), 0..6);
+fn world(wild: bool) -> impl Strategy<Value = World> {
+    let things = prop::collection::vec(thing(wild), 0..6);
     let background = any::<[u8; 3]>().prop_map(|[r, g, b]| Color::rgb(r, g, b));
-    (entities, prop::collection::vec(light(wild), 0..4), background, style())
-        .prop_map(|(entities, lights, background, style)| Scene { entities, lights, background, style })
+    (things, prop::collection::vec(light(wild), 0..4), background, style())
+        .prop_map(|(things, lights, background, style)| World { things, lights, background, style })
 }
 
 /// Cameras that turn and move, and matrices of any numbers.
@@ -143,10 +193,10 @@ proptest! {
 
     /// Any scene of usual numbers, and a second time the same.
     #[test]
-    fn scenes_are_drawn(scene in scene(false), camera in camera(false), size in size(), antialiased: bool, wireframe: bool) {
-        let mut target = Target::new(size[0], size[1]);
+    fn scenes_are_drawn(world in world(false), camera in camera(false), size in size(), antialiased: bool, wireframe: bool) {
+        let (scene, mut target) = (world.scene(), Target::new(size[0], size[1]));
         (target.antialiased, target.wireframe) = (antialiased, wireframe);
-        for projection in [in_perspective, orthographic] {
+        for projection in [ahead as fn(Vec2) -> Mat4, orthographic] {
             let projection = projection(target.picture().size());
             check(&scene, &mut target, &projection, &camera)?;
         }
@@ -154,10 +204,10 @@ proptest! {
 
     /// Any numbers at all, in places, lights, meshes, cameras and projections: nothing panics, nothing takes for ever.
     #[test]
-    fn no_numbers_stop_it(scene in scene(true), camera in camera(true), projection in camera(true), size in size(), antialiased: bool, wireframe: bool) {
-        let mut target = Target::new(size[0], size[1]);
+    fn no_numbers_stop_it(world in world(true), camera in camera(true), projection in camera(true), size in size(), antialiased: bool, wireframe: bool) {
+        let (scene, mut target) = (world.scene(), Target::new(size[0], size[1]));
         (target.antialiased, target.wireframe) = (antialiased, wireframe);
-        let usual = in_perspective(target.picture().size());
+        let usual = ahead(target.picture().size());
         check(&scene, &mut target, &usual, &camera)?;
         check(&scene, &mut target, &projection, &camera)?;
     }
@@ -165,20 +215,21 @@ proptest! {
     /// What is wholly outside of the picture changes no pixel: without the entities that are left out unseen, the picture is
     /// the same.
     #[test]
-    fn what_is_left_out_would_not_be_seen(scene in scene(false), camera in camera(false)) {
+    fn what_is_left_out_would_not_be_seen(world in world(false), camera in camera(false)) {
         let drawn = |scene: &Scene| {
             let mut target = Target::new(33, 21);
-            let projection = in_perspective(target.picture().size());
+            let projection = ahead(target.picture().size());
             let counts = render_scene(scene, &mut target, &projection, &camera);
             (target.into_picture(), counts)
         };
-        let (whole, counts) = drawn(&scene);
-        let alone = |entity: &Entity| Scene { entities: vec![entity.clone()], lights: scene.lights.clone(), ..scene };
-        let outside: Vec<bool> = scene.entities.iter().map(|entity| drawn(&alone(entity)).1.outside == 1).collect();
-        prop_assert_eq!(outside.iter().filter(|&&outside| outside).count(), counts.outside);
-        let left = scene.entities.iter().zip(&outside).filter(|(_, outside)| !**outside).map(|(entity, _)| entity.clone());
-        let seen = Scene { entities: left.collect(), lights: scene.lights.clone(), ..scene };
-        prop_assert_eq!(different(&whole, &drawn(&seen).0), 0);
+        let (whole, counts) = drawn(&world.scene());
+        let is_outside = |thing: &Thing| {
+            let alone = World { things: vec![thing.clone()], ..world.clone() };
+            drawn(&alone.scene()).1.outside == 1
+        };
+        let (outside, seen): (Vec<Thing>, Vec<Thing>) = world.things.iter().cloned().partition(is_outside);
+        prop_assert_eq!(outside.len(), counts.outside);
+        prop_assert_eq!(different(&whole, &drawn(&World { things: seen, ..world.clone() }.scene()).0), 0);
     }
 }
 
@@ -189,11 +240,10 @@ fn random_scenes_show_something() {
     use proptest::test_runner::TestRunner;
     let mut runner = TestRunner::deterministic();
     let shows = (0..100).filter(|_| {
-        let mut draw = || scene(false).new_tree(&mut runner).expect("a scene").current();
-        let mut scene = draw();
-        scene.background = crate::pictures::SKY;
+        let world = world(false).new_tree(&mut runner).expect("a scene").current();
+        let scene = Scene { background: SKY, ..world.scene() };
         let mut target = Target::new(33, 21);
-        let projection = in_perspective(target.picture().size());
+        let projection = ahead(target.picture().size());
         let camera = transforms::affine::translate(Vec3::new(0.0, 0.0, -8.0));
         render_scene(&scene, &mut target, &projection, &camera);
         covered(target.picture()) > 0

@@ -1,14 +1,13 @@
 //! The camera's matrix and its inverse, which `render_scene` takes.
 
 use common::{Color, Mat4, Vec3};
-use scene::versions::in_perspective;
 use scene::{Entity, Orbit, Target, render_scene};
 use transforms::affine::translate;
 use transforms::inverse::INVERSES;
 
-use crate::pictures::{SIZE, WAYS, cube_of, different, lit, patched_cube, seen_as, sphere_of};
+use crate::pictures::FIELD_OF_VIEW;
+use crate::pictures::{SIZE, WAYS, ahead, cube_of, different, lit, patched_cube, seen_as, sphere_of};
 use crate::truth::{Eye, Truth};
-use crate::versions::FIELD_OF_VIEW;
 
 fn things() -> Vec<Entity> {
     let left = Entity {
@@ -34,7 +33,7 @@ fn each_inverse_shows_the_same() {
             .iter()
             .map(|inverse| {
                 let mut target = Target::new(SIZE[0], SIZE[1]);
-                let projection = in_perspective(target.picture().size());
+                let projection = ahead(target.picture().size());
                 render_scene(&scene, &mut target, &projection, &(inverse.run)(&camera).expect("an inverse"));
                 target.into_picture()
             })
@@ -53,7 +52,7 @@ fn moving_the_camera_is_moving_all_else() {
     let by = Vec3::new(-0.75, 0.5, 4.0);
     let shown = |scene: &scene::Scene, camera: Mat4| {
         let mut target = Target::new(SIZE[0], SIZE[1]);
-        let projection = in_perspective(target.picture().size());
+        let projection = ahead(target.picture().size());
         render_scene(scene, &mut target, &projection, &camera);
         target.into_picture()
     };

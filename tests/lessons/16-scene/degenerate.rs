@@ -2,11 +2,10 @@
 
 use clipping::Cull;
 use common::{Color, Mat4, Vec3};
-use scene::versions::in_perspective;
 use scene::{Entity, Levels, Mesh, Paint, Shading, Shape, Target, cube, render_scene};
 
 use crate::pictures::{
-    NOWHERE, ORBIT, SIZE, SKY, WAYS, covered, cube_of, different, draw_from, lit, patched_cube, seen,
+    NOWHERE, ORBIT, SIZE, SKY, WAYS, ahead, covered, cube_of, different, draw_from, lit, patched_cube, seen,
     seen_as, sphere_of,
 };
 
@@ -142,7 +141,7 @@ fn without_a_camera_nothing_is_seen() {
         for [antialiased, wireframe] in WAYS {
             let mut target = Target::new(SIZE[0], SIZE[1]);
             (target.antialiased, target.wireframe) = (antialiased, wireframe);
-            let projection = in_perspective(target.picture().size());
+            let projection = ahead(target.picture().size());
             render_scene(&scene, &mut target, &projection, &inverse_camera);
             assert_eq!(covered(target.picture()), 0, "{inverse_camera}");
         }
@@ -189,7 +188,7 @@ fn the_eye_may_be_anywhere() {
         for [antialiased, wireframe] in WAYS {
             let mut target = Target::new(SIZE[0], SIZE[1]);
             (target.antialiased, target.wireframe) = (antialiased, wireframe);
-            let projection = in_perspective(target.picture().size());
+            let projection = ahead(target.picture().size());
             let counts = render_scene(&scene, &mut target, &projection, &Mat4::from_translation(-at));
             assert_eq!(counts.triangles.left_out, 0, "{at}");
         }
@@ -221,7 +220,7 @@ fn what_is_not_seen_costs_no_vertex() {
     let at = |n: usize| Vec3::new((n % 100) as f32 - 49.5, (n / 100) as f32 - 49.5, 100.0);
     let scene = lit((0..10_000).map(|n| Entity { position: at(n), ..Entity::new(cube.clone()) }).collect());
     let mut target = Target::new(SIZE[0], SIZE[1]);
-    let projection = in_perspective(target.picture().size());
+    let projection = ahead(target.picture().size());
     let counts = render_scene(&scene, &mut target, &projection, &Mat4::IDENTITY);
     assert_eq!((counts.outside, counts.triangles.vertices, covered(target.picture())), (10_000, 0, 0));
 }

@@ -7,9 +7,9 @@ use lighting::{PointLight, blinn_phong, phong};
 use proptest::prelude::*;
 use scene::{Entity, Levels, Mesh, Paint, Shading, Shape, Vertex, cube};
 
-use crate::pictures::{cube_of, different, lit, seen, sphere_of};
+use crate::pictures::{FIELD_OF_VIEW, ORBIT, cube_of, different, lit, seen, sphere_of};
 use crate::truth::{Eye, Truth, lamp, placement};
-use crate::versions::{FIELD_OF_VIEW, drawn, scene_at};
+use crate::versions::{drawn, scene_at};
 
 fn point() -> impl Strategy<Value = Vec3> {
     [-3.0..3.0_f32, -3.0..3.0_f32, 1.0..3.0_f32].prop_map(Vec3::from)
@@ -118,7 +118,7 @@ fn two_lights_are_added_and_clamped() {
     });
     for shading in [Shading::Phong, Shading::BlinnPhong] {
         scene.style.shading = shading;
-        let truth = Truth::new(&scene, Eye::Around(crate::pictures::ORBIT, FIELD_OF_VIEW));
+        let truth = Truth::new(&scene, Eye::Around(ORBIT, FIELD_OF_VIEW));
         truth.check(&seen(&scene).0, 1.02, 0.2);
     }
 }
@@ -135,11 +135,7 @@ fn normals_go_with_the_surface() {
     for shading in [Shading::Phong, Shading::BlinnPhong] {
         let mut scene = lit(vec![stretched.clone()]);
         scene.style.shading = shading;
-        Truth::new(&scene, Eye::Around(crate::pictures::ORBIT, FIELD_OF_VIEW)).check(
-            &seen(&scene).0,
-            1.02,
-            0.25,
-        );
+        Truth::new(&scene, Eye::Around(ORBIT, FIELD_OF_VIEW)).check(&seen(&scene).0, 1.02, 0.25);
     }
     // Brought along as points are, some normals would be off by tens of levels of light.
     let (placement, lamp) = (placement(&stretched), lamp(&scene.lights[0]));

@@ -20,6 +20,14 @@ pub(crate) const SIZE: [u16; 2] = [64, 48];
 /// From where scenes are looked at: off all axes.
 pub(crate) const ORBIT: Orbit = Orbit::new(25.0, 20.0, 5.0);
 
+/// Degrees from the bottom of the picture to its top.
+pub(crate) const FIELD_OF_VIEW: f64 = 60.0;
+
+/// What an eye ahead sees in a picture of that size.
+pub(crate) fn ahead(size: Vec2) -> Mat4 {
+    in_perspective(FIELD_OF_VIEW as f32, size)
+}
+
 /// What is behind everything.
 pub(crate) const SKY: Color = Color::rgb(10, 20, 40);
 
@@ -55,7 +63,7 @@ pub(crate) fn lit(entities: Vec<Entity>) -> Scene {
 pub(crate) fn draw_from(scene: &Scene, orbit: Orbit, target: &mut Target) -> Counts {
     let size: Vec2 = target.picture().size();
     let inverse = elimination(&orbit.camera()).expect("an orbit has an inverse");
-    render_scene(scene, target, &in_perspective(size), &inverse)
+    render_scene(scene, target, &ahead(size), &inverse)
 }
 
 /// A scene as seen from off all axes.

@@ -6,9 +6,10 @@ use common::{Bounds, Color, DVec2, DVec3, IVec2, Image, Mat4, Vec2, Vec3};
 use perspective::window;
 use proptest::prelude::*;
 use scene::levels::spheres;
-use scene::versions::{in_perspective, orthographic};
+use scene::versions::orthographic;
 use scene::{Entity, Paint, Target, VERSIONS, render_scene};
 
+use crate::pictures::ahead;
 use crate::versions::scene_at;
 
 /// The window.
@@ -141,7 +142,7 @@ fn the_formula_stretches_what_the_perspective_does_not() {
     let mut scene = scene_at(0, 0.0);
     let sphere = Entity::new(spheres(&[[32, 64]], &Paint::Color(Color::WHITE)));
     scene.entities = vec![Entity { position: Vec3::new(0.0, 0.0, -3.0), ..sphere }];
-    for (projection, is_round) in [(in_perspective as fn(Vec2) -> Mat4, true), (orthographic, false)] {
+    for (projection, is_round) in [(ahead as fn(Vec2) -> Mat4, true), (orthographic, false)] {
         let mut target = Target::new(SIZE[0], SIZE[1]);
         let projection = projection(target.picture().size());
         render_scene(&scene, &mut target, &projection, &Mat4::IDENTITY);

@@ -19,7 +19,7 @@ fn what_holds_for_every_lesson() {
 fn wrong_command_lines() {
     let rows: &[(&[&str], &str)] = &[
         (&["--version", "12"], "12 is not in 0..=11"),
-        (&["--version", "-1"], "--version <N>"),
+        (&["--version", "-1"], "-1"),
         (&["--version", "four"], "--version <N>"),
         (&["--version"], "--version <N>"),
         (&["--time", "-1"], "write a number of seconds from 0 to 1000000"),

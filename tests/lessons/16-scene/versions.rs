@@ -10,8 +10,14 @@ use transforms::inverse::elimination;
 
 use crate::truth::{Eye, Truth, placement};
 
-/// Degrees from the bottom of the picture to its top, from version 5 on.
-pub(crate) const FIELD_OF_VIEW: f64 = 60.0;
+/// Degrees from the bottom of a version's picture to its top, from version 5 on.
+pub(crate) fn field_of_view(number: usize) -> f64 {
+    match number {
+        5 => 75.0,
+        6..=8 => 60.0,
+        _ => 50.0,
+    }
+}
 
 /// Small, and of the window's proportions.
 pub(crate) const SIZE: [u16; 2] = [160, 120];
@@ -56,8 +62,8 @@ pub(crate) fn drawn(scene: &Scene, number: usize) -> (Image, Counts) {
 pub(crate) fn eye(number: usize) -> Eye {
     match VERSIONS[number].camera {
         None if number < 5 => Eye::Orthographic,
-        None => Eye::Ahead(FIELD_OF_VIEW),
-        Some(orbit) => Eye::Around(orbit, FIELD_OF_VIEW),
+        None => Eye::Ahead(field_of_view(number)),
+        Some(orbit) => Eye::Around(orbit, field_of_view(number)),
     }
 }
 
