@@ -53,7 +53,7 @@ fn every_program_draws_the_same_elsewhere() {
     println!("{} runs draw the same", results.into_iter().flatten().sum::<usize>());
 }
 
-/// The command lines to try: none, each method, and what other flags there are.
+/// The command lines to try: the lesson's own picture as both kinds of file, each method, and what other flags there are.
 fn cases(lesson: &str) -> Vec<Vec<String>> {
     let ask =
         |flag| String::from_utf8(run(lesson, Path::new("."), &[flag]).stdout).expect("programs print UTF-8");
@@ -72,7 +72,11 @@ fn cases(lesson: &str) -> Vec<Vec<String>> {
         .map(|name| [vec!["--method", name, "--size", "240x200"], known(EVERY_METHOD).concat()].concat())
         .collect();
     assert!(!methods.is_empty(), "{lesson} --list names no method");
-    let all = [vec![vec![]], methods, known(MORE)].concat();
+    // A file is named each time: a program may else open a window.
+    let own = ["picture.tga", "picture.png"].map(|name| vec!["--out", name]).to_vec();
+    let others = [methods, known(MORE)].concat();
+    let all = [own, others.into_iter().map(|case| [case, vec!["--out", "picture.png"]].concat()).collect()]
+        .concat();
     all.into_iter().map(|case| case.into_iter().map(String::from).collect()).collect()
 }
 
