@@ -2,7 +2,9 @@
 
 pub mod entity;
 pub mod frustum;
+pub mod head;
 pub mod held;
+pub mod kept;
 pub mod keys;
 pub mod levels;
 pub mod mesh;

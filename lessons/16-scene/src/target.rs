@@ -5,6 +5,8 @@ use antialiasing::multisampled::Multisampled;
 use antialiasing::storage::{Compressed, Samples};
 use common::{Format, Image};
 
+use crate::kept::Kept;
+use crate::shader::Lamps;
 use crate::wireframe::Wires;
 
 /// One sample a pixel.
@@ -31,6 +33,10 @@ pub struct Target {
     pub(crate) single: Option<Single>,
     pub(crate) many: Option<Many>,
     pub(crate) queue: Vec<Queued>,
+    /// Lists of vertices.
+    pub(crate) kept: Kept,
+    /// The lights, made ready for shaders.
+    pub(crate) lamps: Lamps,
     pub(crate) wires: Wires,
 }
 
@@ -45,6 +51,8 @@ impl Target {
             single: None,
             many: None,
             queue: Vec::new(),
+            kept: Kept::default(),
+            lamps: Lamps::default(),
             wires: Wires::default(),
         }
     }
@@ -73,4 +81,24 @@ impl Target {
 /// A canvas for such a picture, made when it is first asked for.
 pub(crate) fn canvas<'a, C: Canvas>(kept: &'a mut Option<C>, picture: &Image) -> &'a mut C {
     kept.get_or_insert_with(|| C::new([picture.width(), picture.height()].map(|side| side as usize)))
+}
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+
+    #[test]
+    fn another_size_keeps_what_is_switched_and_the_same_size_the_picture() {
+        let mut target = Target::new(3, 2);
+        target.wireframe = true;
+        target.picture.set(1, 1, Color::RED);
+        target.resize(3, 2);
+        assert_eq!(target.picture().get(1, 1), Some(Color::RED));
+        target.resize(2, 3);
+        assert_eq!((target.picture().width(), target.picture().height()), (2, 3));
+        assert!(target.wireframe && !target.antialiased);
+        assert_eq!(target.picture().get(1, 1), Some(Color::BLACK));
+    }
 }
