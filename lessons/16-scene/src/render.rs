@@ -15,9 +15,10 @@ use transforms::inverse::elimination;
 use crate::entity::Entity;
 use crate::frustum::{pixels_per_unit, sees};
 use crate::kept::Kept;
+use crate::lamps::Lamps;
 use crate::mesh::{Mesh, Paint};
 use crate::scene::{Filtering, Scene, Shading};
-use crate::shader::{AtPixels, AtVertices, Base, Lamps, Lighting, Look, Placed, Textured};
+use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
 use crate::wireframe::Wires;
 

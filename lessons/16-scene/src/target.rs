@@ -6,7 +6,7 @@ use antialiasing::storage::{Compressed, Samples};
 use common::{Format, Image};
 
 use crate::kept::Kept;
-use crate::shader::Lamps;
+use crate::lamps::Lamps;
 use crate::wireframe::Wires;
 
 /// One sample a pixel.

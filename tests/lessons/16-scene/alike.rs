@@ -52,6 +52,8 @@ fn pair(antialiased: bool, by_other: impl Fn(&[blending::scene::Entity], &View, 
     scene.style.filter = Filtering::Trilinear;
     // Their lamp has no highlight, which would not be a multiple of the surface's colour.
     scene.lights[0].specular = 0.0;
+    // Their lamp has no highlight, which would not be a multiple of the surface's colour.
+    scene.lights[0].specular = 0.0;
     let camera = ORBIT.camera();
     let mut target = Target::new(SIZE[0], SIZE[1]);
     target.antialiased = antialiased;

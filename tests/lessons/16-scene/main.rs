@@ -10,6 +10,7 @@ mod degenerate;
 mod handedness;
 mod head;
 mod lights;
+mod motion;
 mod order;
 mod ownership;
 mod pictures;
