@@ -10,7 +10,6 @@ mod degenerate;
 mod frustum;
 mod handedness;
 mod head;
-mod head;
 mod levels;
 mod lights;
 mod motion;
