@@ -83,14 +83,15 @@ impl<const N: usize> Places<N> {
     }
 
     // ANCHOR: small
-    /// What edge functions are more at each sample than at the centre, of a triangle so small that it is less work to ask each
-    /// pixel of its box than to find the ends of `N` rows of samples: one at most 16 px wide.
-    ///
-    /// In a box of 17 px by 257 px an edge function, twice the area of a triangle in it, is below 2³⁰.
+    /// What edge functions are more at each sample than they need, of a triangle so small that it is less work to ask each
+    /// pixel of its box than to find the ends of `N` rows of samples: one at most 16 px wide in the picture. Nowhere near the box
+    /// may its edge functions be too large for an `i32`.
     #[inline(always)]
     pub(crate) fn small(&self, setup: &Setup, offsets: &[DVec3; N]) -> Option<Small<N>> {
-        let size = setup.bounds.max - setup.bounds.min;
-        (N > 1 && size.x < 16 && size.y < 256).then(|| {
+        let size = (setup.bounds.max - setup.bounds.min).as_dvec2();
+        let steps = setup.right.abs() * (size.x + 1.0) + setup.up.abs() * (size.y + 1.0);
+        let largest = (setup.edges.abs() + steps).max_element();
+        (N > 1 && size.x < 16.0 && largest < f64::from(1 << 30)).then(|| {
             let margins = offsets.map(|offset| offset - setup.inside);
             Small { margins: [0, 1, 2].map(|side| margins.map(|margin| margin[side] as i32)) }
         })
@@ -128,7 +129,8 @@ impl<const N: usize> Places<N> {
     // ANCHOR_END: row
 }
 
-/// What edge functions need at the centre of a pixel to be inside at each sample, side by side, with its sign turned.
+/// For each side and each sample: what the edge function is more there than at the pixel's centre, less what it is inside at
+/// least.
 pub(crate) struct Small<const N: usize> {
     margins: [[i32; N]; 3],
 }
