@@ -9,7 +9,6 @@ use blending::translucent::{Translucent, faded};
 use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
 use common::{Image, Mat4, Vec2, Vec3};
-use filtering::filter::{Bilinear, Nearest, Trilinear};
 use transforms::inverse::elimination;
 
 use crate::entity::Entity;
@@ -17,7 +16,7 @@ use crate::frustum::{pixels_per_unit, sees};
 use crate::kept::Kept;
 use crate::lamps::Lamps;
 use crate::mesh::{Mesh, Paint};
-use crate::scene::{Filtering, Scene, Shading};
+use crate::scene::{Scene, Shading};
 use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
 use crate::wireframe::Wires;
@@ -186,18 +185,8 @@ impl Pass<'_> {
             Paint::Color(color) => self.colored(*color, kept, canvas),
             Paint::Colors(colors) => self.colored(&colors[..], kept, canvas),
             Paint::Texture(texture) => {
-                let (uvs, size) = (mesh.uvs(), canvas.size());
-                match self.scene.style.filter {
-                    Filtering::Nearest => {
-                        self.colored(Textured { texture, uvs, filter: Nearest, size }, kept, canvas)
-                    }
-                    Filtering::Bilinear => {
-                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, kept, canvas)
-                    }
-                    Filtering::Trilinear => {
-                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, kept, canvas)
-                    }
-                }
+                let (uvs, filter, size) = (mesh.uvs(), self.scene.style.filter, canvas.size());
+                self.colored(Textured { texture, uvs, filter, size }, kept, canvas)
             }
         }
     }
@@ -251,7 +240,7 @@ mod tests {
 
     use super::*;
     use crate::levels::Levels;
-    use crate::scene::Style;
+    use crate::scene::{Filtering, Style};
     use crate::shapes::{cube, sphere};
     use crate::versions::in_perspective;
 
