@@ -122,7 +122,7 @@ fn draw_wires(
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
-        let mesh = level(entity, view);
+        let mesh = level(entity, view, WIRE_SHARE);
         let to_clip = view.to_clip * entity.to_world();
         let color = faded(mesh.mean(), entity.alpha);
         counts += wires.draw(mesh, &to_clip, cull(scene, entity), color, smooth, picture);
@@ -144,7 +144,7 @@ fn draw<C: Canvas<Stencil = ()>>(
     for queued in queue {
         let entity = &scene.entities[queued.entity];
         let Some(normals_to_world) = entity.normals_to_world() else { continue };
-        let mesh = level(entity, view);
+        let mesh = level(entity, view, 1.0);
         let placed = Placed { mesh, to_world: entity.to_world(), normals_to_world, eye: view.eye, lamps };
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
         counts += pass.draw(kept, canvas);
@@ -153,10 +153,14 @@ fn draw<C: Canvas<Stencil = ()>>(
     counts
 }
 
-/// The mesh of an entity that is fine enough.
-fn level<'a>(entity: &'a Entity, view: &View) -> &'a Mesh {
+/// A wireframe may be 8 times as far off as a surface: four pixels. Where that is half a pixel, sides are so short that lines
+/// cover all between them, and nothing is seen of the triangles.
+const WIRE_SHARE: f32 = 1.0 / 8.0;
+
+/// The mesh of an entity that is fine enough, where each of its pixels counts for such a share of one.
+fn level<'a>(entity: &'a Entity, view: &View, share: f32) -> &'a Mesh {
     let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), view.size);
-    entity.levels.choose(pixels * entity.scale.abs().max_element())
+    entity.levels.choose(share * pixels * entity.scale.abs().max_element())
 }
 
 /// What is left out of an entity: mirrored, its triangles run the other way round.
