@@ -59,6 +59,16 @@ impl AddAssign for Counts {
     }
 }
 
+/// A mesh's vertices once they are computed. Who keeps them from one drawing to the next allocates memory for the largest
+/// mesh once.
+pub struct Vertices<V>(Vec<Computed<V>>);
+
+impl<V> Default for Vertices<V> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
 /// A vertex once it is computed.
 struct Computed<V> {
     clip: ClipVertex<V>,
@@ -86,7 +96,8 @@ pub fn render<S: Shader + ?Sized>(
     let bounds = target.bounds();
     let size = (bounds.max + 1).as_vec2();
     if clipping == Clipping::Homogeneous {
-        return seen(shader, mesh, cull, (u8::MAX, &[]), size, |counts, constant, corners| {
+        let vertices = &mut Vertices::default();
+        return seen(vertices, shader, mesh, cull, (u8::MAX, &[]), size, |counts, constant, corners| {
             let corners = corners.map(|corner| corner.clip);
             homogeneous::fill(corners, bounds, Fragments::new(shader, constant, target));
             counts.filled += 1;
@@ -114,6 +125,23 @@ pub fn triangles<S: Shader + ?Sized>(
     cull: Cull,
     clipping: Clipping,
     size: Vec2,
+    fill: impl FnMut(S::Constant, [Vec4; 3], [S::Varying; 3]),
+) -> Counts {
+    triangles_with(&mut Vertices::default(), shader, mesh, cull, clipping, size, fill)
+}
+
+/// The same with vertices that are kept: what is in them is forgotten, but their memory used again.
+///
+/// # Panics
+/// As [`render`].
+#[inline]
+pub fn triangles_with<S: Shader + ?Sized>(
+    vertices: &mut Vertices<S::Varying>,
+    shader: &S,
+    mesh: &Mesh,
+    cull: Cull,
+    clipping: Clipping,
+    size: Vec2,
     mut fill: impl FnMut(S::Constant, [Vec4; 3], [S::Varying; 3]),
 ) -> Counts {
     let band = guard_band(size);
@@ -124,7 +152,7 @@ pub fn triangles<S: Shader + ?Sized>(
         Clipping::GuardBand => (u8::MAX, &band),
         Clipping::Homogeneous => (u8::MAX, &[]),
     };
-    seen(shader, mesh, cull, (rejects, cuts), size, |counts, constant, corners| {
+    seen(vertices, shader, mesh, cull, (rejects, cuts), size, |counts, constant, corners| {
         // 3. The cut, where one is needed.
         let needed = corners.iter().fold(0, |needed, corner| needed | corner.beyond);
         if needed != 0 {
@@ -151,6 +179,7 @@ pub fn triangles<S: Shader + ?Sized>(
 // ANCHOR: seen
 #[inline]
 fn seen<S: Shader + ?Sized>(
+    Vertices(vertices): &mut Vertices<S::Varying>,
     shader: &S,
     mesh: &Mesh,
     cull: Cull,
@@ -166,7 +195,8 @@ fn seen<S: Shader + ?Sized>(
         let beyond = if outside == 0 { 0 } else { outcode(cuts, position) };
         Computed { clip: ClipVertex { position, varying }, window: window(position, size), outside, beyond }
     });
-    let vertices: Vec<Computed<S::Varying>> = computed.collect();
+    vertices.clear();
+    vertices.extend(computed);
     let mut counts = Counts { vertices: vertices.len(), ..Counts::default() };
     for (face, triangle) in mesh.triangles() {
         // 2. What is wholly outside of a plane, or shows the wrong side.

@@ -1,7 +1,7 @@
 //! What triangles are drawn to whose edges are to be smooth, and the loops over it.
 
 use blending::Operations;
-use clipping::render::triangles;
+use clipping::render::{Vertices, triangles_with};
 use clipping::{Clipping, Counts, Cull, Mesh};
 use common::{Color, Image, Vec2, Vec4};
 use shaders::shader::{Fragment, Shader, Varying};
@@ -60,7 +60,23 @@ pub fn render<S: Shader<Output = Color> + ?Sized, C: Canvas>(
     state: impl Operations<Stencil = C::Stencil>,
     canvas: &mut C,
 ) -> Counts {
-    triangles(shader, mesh, cull, Clipping::GuardBand, canvas.size(), |constant, corners, varyings| {
+    render_with(&mut Vertices::default(), shader, mesh, cull, state, canvas)
+}
+
+/// The same with vertices that are kept from one mesh to the next, whose memory is used again.
+///
+/// # Panics
+/// As [`render`].
+pub fn render_with<S: Shader<Output = Color> + ?Sized, C: Canvas>(
+    vertices: &mut Vertices<S::Varying>,
+    shader: &S,
+    mesh: &Mesh,
+    cull: Cull,
+    state: impl Operations<Stencil = C::Stencil>,
+    canvas: &mut C,
+) -> Counts {
+    let size = canvas.size();
+    triangles_with(vertices, shader, mesh, cull, Clipping::GuardBand, size, |constant, corners, varyings| {
         canvas.fill(state, corners, varyings, |fragment| shader.fragment(constant, fragment));
     })
 }

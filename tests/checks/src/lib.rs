@@ -22,6 +22,7 @@
 //! | [`edge`] | how well the samples of a pixel show an edge, by its angle, in `f64` |
 //! | [`box_filter`] | the mean of all that is seen in a pixel, by cutting what is nearer out of what is farther, in `f64` |
 //! | [`fragment`] | what happens to a fragment: tests, blending, logic operations, masks, in whole numbers |
+//! | [`assignment`] | the left-handed pipeline of lesson 16's assignment, in `f64` |
 //! | [`layers`] | the transparent layers of a pixel, sorted, in `f64`, and each rounded in whole numbers |
 //! | [`cutout`] | a texture with alpha, filtered and laid over a colour, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
@@ -30,6 +31,7 @@
 //! compared by `common`, as under `--compare`.
 
 pub mod area;
+pub mod assignment;
 pub mod box_filter;
 pub mod camera;
 pub mod clipspace;

@@ -1,14 +1,16 @@
 //! What edges cost: depths and colours, but no shading; and no memory from picture to picture.
 
 use antialiasing::area::Area;
+use antialiasing::canvas::render_with;
 use antialiasing::multisampled::{Multisampled, PerPixel, PerSample};
 use antialiasing::ordered::Ordered;
 use antialiasing::resolve::Resolve;
 use antialiasing::storage::{Compressed, Samples};
 use antialiasing::{Canvas, Scene, World, resolve};
-use blending::Operations;
 use blending::scene::{Entity, View};
-use clipping::Cull;
+use blending::{Operations, State};
+use clipping::render::Vertices;
+use clipping::{Cull, Mesh};
 use common::{Attributes, Color, Format, Image, Mat4, Model, Vec2, Vec3, Vec4};
 use filtering::scene::Filterable;
 use filtering::{MIPMAPS, Wrap};
@@ -157,4 +159,31 @@ fn a_canvas_that_is_kept_allocates_nothing() {
     for (n, canvas) in canvases.into_iter().enumerate() {
         assert_eq!([[60, 40], [160, 120]].map(canvas), [1; 2], "{n}");
     }
+}
+
+/// Vertices that are kept, too, are not allocated again, and a mesh drawn with what another left in them is the same.
+#[test]
+fn with_vertices_that_are_kept_nothing_is_allocated() {
+    before_the_head([160, 120], |scene, mut image| {
+        let World { entities, view, cull } = scene.world.unwrap();
+        let shader = entities[0].shader(&view, image.size()).unwrap();
+        let mesh = entities[0].mesh();
+        let half = Mesh { faces: mesh.faces[..mesh.faces.len() / 2].to_vec(), ..mesh.clone() };
+        let mut canvas = Multisampled::<16, Compressed<16>>::new([160, 120]);
+        let mut drawn = |vertices: &mut Vertices<_>, mesh: &Mesh| {
+            canvas.clear(Color::WHITE, false);
+            let counts = render_with(vertices, &shader, mesh, cull, State::OFF, &mut canvas);
+            canvas.resolve(resolve, &mut image);
+            (counts, image.clone())
+        };
+        let expected = drawn(&mut Vertices::default(), &half);
+        let mut kept = Vertices::default();
+        assert_ne!(drawn(&mut kept, mesh), expected);
+        assert_eq!(drawn(&mut kept, &half), expected);
+        let mut draw = || {
+            render_with(&mut kept, &shader, mesh, cull, State::OFF, &mut canvas);
+        };
+        draw();
+        assert_eq!(allocation_counter::measure(draw).count_total, 0);
+    });
 }

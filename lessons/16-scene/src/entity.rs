@@ -1,0 +1,69 @@
+//! An entity: a mesh at its place in the world.
+
+use std::sync::Arc;
+
+use common::{Mat3, Mat4, Vec3};
+use transforms::affine::model;
+use transforms::normal_matrix;
+
+use crate::frustum::Sphere;
+use crate::levels::Levels;
+
+/// A mesh, which others may share, and where it stands.
+// ANCHOR: entity
+#[derive(Clone)]
+pub struct Entity {
+    /// The mesh, in one or several resolutions.
+    pub levels: Arc<Levels>,
+    /// Where its origin is in the world.
+    pub position: Vec3,
+    /// How it is turned, in degrees: about z first, then x, then y.
+    pub degrees: Vec3,
+    /// How large it is along its own axes. A negative number mirrors it.
+    pub scale: Vec3,
+    /// Its alpha, times that of its colours, from 0 to 1.
+    pub alpha: f32,
+}
+// ANCHOR_END: entity
+
+impl Entity {
+    /// At the origin, as the mesh is.
+    #[must_use]
+    pub fn new(levels: Arc<Levels>) -> Self {
+        Self { levels, position: Vec3::ZERO, degrees: Vec3::ZERO, scale: Vec3::ONE, alpha: 1.0 }
+    }
+
+    /// From the model's space to the world: T·Ry·Rx·Rz·S.
+    #[must_use]
+    pub fn to_world(&self) -> Mat4 {
+        model(self.position, self.degrees, self.scale)
+    }
+
+    /// What turns normals likewise, but for their length; `None` where it is flat.
+    #[must_use]
+    pub fn normals_to_world(&self) -> Option<Mat3> {
+        // Of a scale of 10¹³ the determinant is no `f32`; lengths do not matter here.
+        let scale = self.scale / self.scale.abs().max_element();
+        normal_matrix(&model(Vec3::ZERO, self.degrees, scale))
+    }
+
+    /// A sphere in the world that it is within.
+    #[must_use]
+    pub fn bounds(&self) -> Sphere {
+        let (center, radius) = self.levels.finest().bounds();
+        let largest = self.scale.abs().max_element();
+        Sphere { center: self.to_world().transform_point3(center), radius: radius * largest }
+    }
+
+    /// Whether it is mirrored: its triangles run the other way round.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        self.scale.to_array().iter().filter(|&&scale| scale < 0.0).count() % 2 == 1
+    }
+
+    /// Whether nothing is seen through it.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.alpha >= 1.0 && self.levels.finest().is_opaque()
+    }
+}

@@ -1,0 +1,163 @@
+//! A mesh: what entities share, and what never changes.
+
+use std::sync::Arc;
+
+use clipping::assembly::Topology;
+use clipping::mesh::Vertex;
+use common::{Color, Vec2, Vec3};
+use filtering::Texture;
+
+use crate::shapes::Shape;
+
+/// Where a mesh has its colours from.
+#[derive(Clone)]
+pub enum Paint {
+    /// One colour all over.
+    Color(Color),
+    /// A colour for each vertex of the shape, interpolated between them, alpha too.
+    Colors(Vec<Color>),
+    /// A texture, which several meshes may share.
+    Texture(Arc<Texture>),
+}
+
+/// Vertices, triangles and colours. Whatever moves an entity leaves them as they are.
+// ANCHOR: mesh
+pub struct Mesh {
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    /// Texture coordinates, where there is a texture.
+    uvs: Vec<Vec2>,
+    paint: Paint,
+    assembled: clipping::Mesh,
+    center: Vec3,
+    radius: f32,
+    opaque: bool,
+}
+// ANCHOR_END: mesh
+
+impl Mesh {
+    /// A shape and its colours.
+    ///
+    /// # Panics
+    /// Where a triangle has a vertex that the shape has not, or where colours are not as many as vertices.
+    #[must_use]
+    pub fn new(shape: &Shape, paint: Paint) -> Self {
+        let Shape { vertices, triangles } = shape;
+        if let Paint::Colors(colors) = &paint {
+            assert_eq!(colors.len(), vertices.len(), "a colour for each vertex");
+        }
+        let (center, radius) = bounding_sphere(shape);
+        Self {
+            positions: vertices.iter().map(|vertex| vertex.position).collect(),
+            normals: vertices.iter().map(|vertex| vertex.normal).collect(),
+            uvs: match paint {
+                Paint::Texture(_) => vertices.iter().map(|vertex| vertex.uv).collect(),
+                Paint::Color(_) | Paint::Colors(_) => Vec::new(),
+            },
+            opaque: paint.is_opaque(),
+            paint,
+            assembled: assembled(vertices.len(), triangles),
+            center,
+            radius,
+        }
+    }
+
+    /// The positions of its vertices.
+    #[inline]
+    #[must_use]
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// The unit normals of its vertices.
+    #[inline]
+    #[must_use]
+    pub fn normals(&self) -> &[Vec3] {
+        &self.normals
+    }
+
+    /// The texture coordinates of its vertices; none where it has no texture.
+    #[inline]
+    #[must_use]
+    pub fn uvs(&self) -> &[Vec2] {
+        &self.uvs
+    }
+
+    /// Its colours.
+    #[must_use]
+    pub fn paint(&self) -> &Paint {
+        &self.paint
+    }
+
+    /// Whether nothing is seen through it: no colour and no texel has an alpha below 255.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.opaque
+    }
+
+    /// Its vertices and triangles as lesson 11's loop takes them.
+    #[must_use]
+    pub fn assembled(&self) -> &clipping::Mesh {
+        &self.assembled
+    }
+
+    /// The number of a vertex that is a corner (0, 1 or 2) of a triangle.
+    #[inline]
+    #[must_use]
+    pub fn vertex(&self, face: usize, corner: usize) -> usize {
+        self.assembled.vertices[self.assembled.indices[3 * face + corner] as usize].position as usize
+    }
+
+    /// How many triangles it has.
+    #[must_use]
+    pub fn triangles(&self) -> usize {
+        self.assembled.faces.len()
+    }
+
+    /// The middle of a sphere that it is within, and that sphere's radius, in the model's space.
+    #[must_use]
+    pub fn bounds(&self) -> (Vec3, f32) {
+        (self.center, self.radius)
+    }
+}
+
+impl Paint {
+    fn is_opaque(&self) -> bool {
+        let is_opaque = |color: Color| color.a == u8::MAX;
+        match self {
+            Self::Color(color) => is_opaque(*color),
+            Self::Colors(colors) => colors.iter().copied().all(is_opaque),
+            Self::Texture(texture) => {
+                let base = texture.base();
+                (0..base.height()).all(|j| (0..base.width()).all(|i| is_opaque(base.texel(i, j))))
+            }
+        }
+    }
+}
+
+/// Lesson 11's mesh of triangles. A vertex that is in none of them is left out.
+fn assembled(vertices: usize, triangles: &[[u32; 3]]) -> clipping::Mesh {
+    let mut numbers = vec![None; vertices];
+    let mut used = Vec::new();
+    let mut indices = Vec::new();
+    for (face, triangle) in (0..).zip(triangles) {
+        for (corner, &position) in (0..).zip(triangle) {
+            indices.push(*numbers[position as usize].get_or_insert_with(|| {
+                used.push(Vertex { position, face, corner });
+                used.len() as u32 - 1
+            }));
+        }
+    }
+    let faces = (0..triangles.len() as u32).collect();
+    clipping::Mesh { vertices: used, topology: Topology::List, indices, faces }
+}
+
+/// The middle of the box around all vertices, and the distance of the farthest of them, rounded up.
+fn bounding_sphere(shape: &Shape) -> (Vec3, f32) {
+    let positions = || shape.vertices.iter().map(|vertex| vertex.position);
+    let Some(first) = positions().next() else { return (Vec3::ZERO, 0.0) };
+    let (low, high) = positions().fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
+    let center = (low + high) / 2.0;
+    let farthest = positions().map(|p| p.as_dvec3().distance(center.as_dvec3())).fold(0.0, f64::max);
+    (center, (farthest as f32).next_up())
+}

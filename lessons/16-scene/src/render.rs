@@ -1,0 +1,231 @@
+//! Drawing a scene.
+
+use std::ops::AddAssign;
+
+use antialiasing::canvas::{Canvas, render};
+use antialiasing::resolve;
+use blending::depth::DepthStage;
+use blending::{Over, State, TwoShift};
+use clipping::Cull;
+use common::{Mat4, Vec2, Vec3};
+use filtering::filter::{Bilinear, Nearest, Trilinear};
+use transforms::inverse::elimination;
+
+use crate::entity::Entity;
+use crate::frustum::{pixels_per_unit, sees};
+use crate::mesh::{Mesh, Paint};
+use crate::scene::{Filtering, Scene, Shading};
+use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
+use crate::target::{Queued, Target, canvas};
+use crate::wireframe;
+
+/// What became of entities and of their triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Entities outside of the picture, none of whose vertices was computed.
+    pub outside: usize,
+    /// Entities that their scale makes flat, which are not drawn.
+    pub flattened: usize,
+    /// Vertices and triangles of the others.
+    pub triangles: clipping::Counts,
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.outside += other.outside;
+        self.flattened += other.flattened;
+        self.triangles += other.triangles;
+    }
+}
+
+/// Who looks at a scene.
+#[derive(Clone, Copy)]
+struct View {
+    /// From the world to clip space.
+    to_clip: Mat4,
+    /// The eye in the world.
+    eye: Vec3,
+}
+
+/// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
+/// then what one sees through, the farthest first, which leaves no depths behind. How near an entity is, is told by its
+/// middle. Of surfaces that are equally deep the one drawn first stays.
+///
+/// `inverse_camera` is the inverse of the camera's own matrix, from the world to eye space; where it has no inverse itself,
+/// there is no eye, and nothing but the background is seen.
+// ANCHOR: render_scene
+pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inverse_camera: &Mat4) -> Counts {
+    let mut counts = Counts::default();
+    let view = elimination(inverse_camera)
+        .map(|camera| View { to_clip: *projection * *inverse_camera, eye: camera.w_axis.truncate() });
+    target.queue.clear();
+    if let Some(view) = &view {
+        enqueue(scene, view, inverse_camera, &mut target.queue, &mut counts);
+    }
+    let Target { picture, single, many, queue, .. } = target;
+    let Some(view) = view else {
+        picture.set_all(|_| scene.background);
+        return counts;
+    };
+    if target.wireframe {
+        picture.set_all(|_| scene.background);
+        let size = picture.size();
+        for queued in &*queue {
+            let entity = &scene.entities[queued.entity];
+            let mesh = level(entity, &view, size);
+            let to_clip = view.to_clip * entity.to_world();
+            wireframe::draw(mesh, &to_clip, cull(scene, entity), entity.alpha, target.antialiased, picture);
+        }
+    } else if target.antialiased {
+        let canvas = canvas(many, picture);
+        counts.triangles += draw(scene, &view, queue, canvas);
+        canvas.resolve(resolve, picture);
+    } else {
+        let canvas = canvas(single, picture);
+        counts.triangles += draw(scene, &view, queue, canvas);
+        canvas.resolve(resolve, picture);
+    }
+    counts
+}
+// ANCHOR_END: render_scene
+
+/// Who is to be drawn, in this order.
+// ANCHOR: enqueue
+fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Queued>, counts: &mut Counts) {
+    for (number, entity) in scene.entities.iter().enumerate() {
+        let bounds = entity.bounds();
+        if entity.normals_to_world().is_none() {
+            counts.flattened += 1;
+        } else if !sees(&view.to_clip, &bounds) {
+            counts.outside += 1;
+        } else if entity.alpha > 0.0 {
+            let depth = -inverse_camera.transform_point3(bounds.center).z;
+            queue.push(Queued { transparent: !entity.is_opaque(), depth, entity: number });
+        }
+    }
+    queue.sort_unstable_by(|a, b| {
+        let by_depth = if a.transparent { b.depth.total_cmp(&a.depth) } else { a.depth.total_cmp(&b.depth) };
+        a.transparent.cmp(&b.transparent).then(by_depth).then(a.entity.cmp(&b.entity))
+    });
+}
+// ANCHOR_END: enqueue
+
+fn draw<C: Canvas<Stencil = ()>>(
+    scene: &Scene,
+    view: &View,
+    queue: &[Queued],
+    canvas: &mut C,
+) -> clipping::Counts {
+    canvas.clear(scene.background, false);
+    let mut counts = clipping::Counts::default();
+    for queued in queue {
+        let entity = &scene.entities[queued.entity];
+        let Some(normals_to_world) = entity.normals_to_world() else { continue };
+        let mesh = level(entity, view, canvas.size());
+        let placed = Placed {
+            mesh,
+            to_world: entity.to_world(),
+            normals_to_world,
+            eye: view.eye,
+            lights: &scene.lights,
+        };
+        let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
+        counts += pass.draw(canvas);
+    }
+    counts
+}
+
+/// The mesh of an entity that is fine enough.
+fn level<'a>(entity: &'a Entity, view: &View, size: Vec2) -> &'a Mesh {
+    let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), size);
+    entity.levels.choose(pixels * entity.scale.abs().max_element())
+}
+
+/// What is left out of an entity: mirrored, its triangles run the other way round.
+fn cull(scene: &Scene, entity: &Entity) -> Cull {
+    match scene.style.cull {
+        Cull::Back if entity.is_mirrored() => Cull::Front,
+        Cull::Front if entity.is_mirrored() => Cull::Back,
+        cull => cull,
+    }
+}
+
+/// An entity that is drawn.
+struct Pass<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    entity: &'a Entity,
+    placed: Placed<'a>,
+    transparent: bool,
+}
+
+// ANCHOR: pass
+impl Pass<'_> {
+    fn draw<C: Canvas<Stencil = ()>>(&self, canvas: &mut C) -> clipping::Counts {
+        let mesh = self.placed.mesh;
+        match mesh.paint() {
+            Paint::Color(color) => self.colored(*color, canvas),
+            Paint::Colors(colors) => self.colored(&colors[..], canvas),
+            Paint::Texture(texture) => {
+                let (uvs, size) = (mesh.uvs(), canvas.size());
+                match self.scene.style.filter {
+                    Filtering::Nearest => {
+                        self.colored(Textured { texture, uvs, filter: Nearest, size }, canvas)
+                    }
+                    Filtering::Bilinear => {
+                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, canvas)
+                    }
+                    Filtering::Trilinear => {
+                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, canvas)
+                    }
+                }
+            }
+        }
+    }
+
+    fn colored<C: Canvas<Stencil = ()>>(&self, base: impl Base, canvas: &mut C) -> clipping::Counts {
+        match self.scene.style.shading {
+            Shading::Unlit => self.lit(base, (), canvas),
+            Shading::Phong => self.lit(base, AtVertices(self.placed), canvas),
+            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), canvas),
+        }
+    }
+
+    fn lit<C: Canvas<Stencil = ()>>(
+        &self,
+        base: impl Base,
+        lighting: impl Lighting,
+        canvas: &mut C,
+    ) -> clipping::Counts {
+        let Placed { mesh, to_world, .. } = self.placed;
+        let to_clip = self.view.to_clip * to_world;
+        let look = Look { mesh, to_clip, base, lighting, alpha: self.entity.alpha };
+        let state = State {
+            scissor: (),
+            stencil: (),
+            depth: Nearer { write: !self.transparent },
+            blend: self.transparent.then(Over::<TwoShift>::default),
+            mask: (),
+        };
+        render(&look, mesh.assembled(), cull(self.scene, self.entity), state, canvas)
+    }
+}
+// ANCHOR_END: pass
+
+/// What is nearer passes; whether its depth is kept is decided when the program runs.
+#[derive(Clone, Copy)]
+struct Nearer {
+    write: bool,
+}
+
+impl DepthStage for Nearer {
+    #[inline]
+    fn passes(self, depth: f32, kept: f32) -> bool {
+        depth < kept
+    }
+
+    #[inline]
+    fn writes(self) -> bool {
+        self.write
+    }
+}

@@ -1,0 +1,242 @@
+//! The look of a mesh: where its colours come from, times how they are lit. What is absent is `()` and costs nothing.
+
+use common::direction::unit;
+use common::{Color, Mat3, Mat4, Vec2, Vec3, Vec4};
+use filtering::Texture;
+use filtering::filter::Filter;
+use filtering::footprint::{Asked, Gradients};
+use lighting::reflection::{Halfway, Mirrored, PointLit, Reflection};
+use lighting::{PointLight, Reflected};
+use shaders::shader::{Fragment, Shader, Varying};
+
+use blending::translucent::faded;
+
+use crate::mesh::Mesh;
+
+/// Where colours come from.
+pub trait Base {
+    /// What is the same all over a triangle.
+    type Constant: Copy;
+    /// What is interpolated.
+    type Varying: Varying;
+    /// Once a triangle, of which these are the vertices; `clip` tells where they are in clip space.
+    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Self::Constant;
+    /// At a vertex.
+    fn vertex(&self, vertex: usize) -> Self::Varying;
+    /// At a pixel.
+    fn color(&self, constant: Self::Constant, fragment: Fragment<Self::Varying>) -> Color;
+}
+
+/// One colour all over.
+impl Base for Color {
+    type Constant = ();
+    type Varying = ();
+
+    #[inline]
+    fn triangle(&self, _: [usize; 3], _: impl FnOnce() -> [Vec4; 3]) {}
+
+    #[inline]
+    fn vertex(&self, _: usize) {}
+
+    #[inline]
+    fn color(&self, (): (), _: Fragment<()>) -> Color {
+        *self
+    }
+}
+
+/// A colour for each vertex: red, green, blue and alpha are interpolated and rounded.
+impl Base for &[Color] {
+    type Constant = ();
+    type Varying = (Vec3, f32);
+
+    #[inline]
+    fn triangle(&self, _: [usize; 3], _: impl FnOnce() -> [Vec4; 3]) {}
+
+    #[inline]
+    fn vertex(&self, vertex: usize) -> (Vec3, f32) {
+        let [r, g, b, a] = {
+            let Color { r, g, b, a } = self[vertex];
+            [r, g, b, a].map(f32::from)
+        };
+        (Vec3::new(r, g, b), a)
+    }
+
+    #[inline]
+    fn color(&self, (): (), fragment: Fragment<(Vec3, f32)>) -> Color {
+        let (Vec3 { x, y, z }, a) = fragment.varying;
+        let [r, g, b, a] = [x, y, z, a].map(|channel| (channel + 0.5) as u8);
+        Color { r, g, b, a }
+    }
+}
+
+/// A texture, filtered in one way.
+pub struct Textured<'a, F> {
+    /// The texture.
+    pub texture: &'a Texture,
+    /// The texture coordinates of the vertices.
+    pub uvs: &'a [Vec2],
+    /// How it is filtered.
+    pub filter: F,
+    /// The size of the picture in pixels.
+    pub size: Vec2,
+}
+
+impl<F: Filter> Base for Textured<'_, F> {
+    type Constant = <F::Footprint as Asked>::Constant;
+    type Varying = Vec2;
+
+    #[inline]
+    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Self::Constant {
+        F::Footprint::triangle(|| Gradients::new(clip(), vertices.map(|vertex| self.uvs[vertex]), self.size))
+    }
+
+    #[inline]
+    fn vertex(&self, vertex: usize) -> Vec2 {
+        self.uvs[vertex]
+    }
+
+    #[inline]
+    fn color(&self, constant: Self::Constant, fragment: Fragment<Vec2>) -> Color {
+        let Fragment { x, y, varying: uv, .. } = fragment;
+        self.filter.color(self.texture, uv, F::Footprint::at(constant, x, y, uv))
+    }
+}
+
+/// A surface's place in the world, and what it is lit by.
+#[derive(Clone, Copy)]
+pub struct Placed<'a> {
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// From the model's space to the world.
+    pub to_world: Mat4,
+    /// What turns normals likewise.
+    pub normals_to_world: Mat3,
+    /// The eye in the world.
+    pub eye: Vec3,
+    /// The lights.
+    pub lights: &'a [PointLight],
+}
+
+impl Placed<'_> {
+    /// Where a vertex is in the world, and its unit normal there.
+    #[inline]
+    fn vertex(&self, vertex: usize) -> (Vec3, Vec3) {
+        let normal = unit(self.normals_to_world * self.mesh.normals()[vertex]).unwrap_or_default();
+        (self.to_world.transform_point3(self.mesh.positions()[vertex]), normal)
+    }
+
+    /// What all lights together make a point send to the eye.
+    #[inline]
+    fn reflected<R: Reflection>(&self, point: Vec3, normal: Vec3) -> Reflected {
+        let dark = Reflected { body: 0.0, highlight: 0.0 };
+        self.lights.iter().fold(dark, |sum, light| {
+            let Reflected { body, highlight } = R::new(light).reflect(point, normal, self.eye);
+            Reflected { body: sum.body + body, highlight: sum.highlight + highlight }
+        })
+    }
+}
+
+/// How colours are lit.
+pub trait Lighting {
+    /// What is interpolated.
+    type Varying: Varying;
+    /// At a vertex.
+    fn vertex(&self, vertex: usize) -> Self::Varying;
+    /// What is seen of a colour at a pixel.
+    fn lit(&self, base: Color, varying: Self::Varying) -> Color;
+}
+
+/// Not at all.
+impl Lighting for () {
+    type Varying = ();
+
+    #[inline]
+    fn vertex(&self, _: usize) {}
+
+    #[inline]
+    fn lit(&self, base: Color, (): ()) -> Color {
+        base
+    }
+}
+
+/// By Phong's model at the vertices.
+pub struct AtVertices<'a>(pub Placed<'a>);
+
+impl Lighting for AtVertices<'_> {
+    type Varying = (f32, f32);
+
+    #[inline]
+    fn vertex(&self, vertex: usize) -> (f32, f32) {
+        let (point, normal) = self.0.vertex(vertex);
+        let Reflected { body, highlight } = self.0.reflected::<PointLit<Mirrored>>(point, normal);
+        (body, highlight)
+    }
+
+    #[inline]
+    fn lit(&self, base: Color, (body, highlight): (f32, f32)) -> Color {
+        Reflected { body, highlight }.color(base)
+    }
+}
+
+/// By Blinn's model at the pixels.
+pub struct AtPixels<'a>(pub Placed<'a>);
+
+impl Lighting for AtPixels<'_> {
+    type Varying = (Vec3, Vec3);
+
+    #[inline]
+    fn vertex(&self, vertex: usize) -> (Vec3, Vec3) {
+        self.0.vertex(vertex)
+    }
+
+    #[inline]
+    fn lit(&self, base: Color, (point, normal): (Vec3, Vec3)) -> Color {
+        self.0.reflected::<PointLit<Halfway>>(point, normal).color(base)
+    }
+}
+
+/// The shader: colours, lit, and less alpha.
+pub struct Look<'a, B, L> {
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// From the model's space to clip space.
+    pub to_clip: Mat4,
+    /// Where colours come from.
+    pub base: B,
+    /// How they are lit.
+    pub lighting: L,
+    /// The entity's alpha.
+    pub alpha: f32,
+}
+
+// ANCHOR: look
+impl<B: Base, L: Lighting> Shader for Look<'_, B, L> {
+    type Constant = B::Constant;
+    type Varying = (B::Varying, L::Varying);
+    type Output = Color;
+
+    #[inline]
+    fn position(&self, vertex: usize) -> Vec4 {
+        self.to_clip * self.mesh.positions()[vertex].extend(1.0)
+    }
+
+    #[inline]
+    fn triangle(&self, face: usize) -> Option<B::Constant> {
+        let vertices = [0, 1, 2].map(|corner| self.mesh.vertex(face, corner));
+        Some(self.base.triangle(vertices, || vertices.map(|vertex| self.position(vertex))))
+    }
+
+    #[inline]
+    fn corner(&self, face: usize, corner: usize) -> Self::Varying {
+        let vertex = self.mesh.vertex(face, corner);
+        (self.base.vertex(vertex), self.lighting.vertex(vertex))
+    }
+
+    #[inline]
+    fn fragment(&self, constant: B::Constant, fragment: Fragment<Self::Varying>) -> Option<Color> {
+        let Fragment { x, y, depth, varying: (base, lit) } = fragment;
+        let base = self.base.color(constant, Fragment { x, y, depth, varying: base });
+        Some(faded(self.lighting.lit(base, lit), self.alpha))
+    }
+}
+// ANCHOR_END: look

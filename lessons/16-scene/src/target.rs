@@ -1,0 +1,72 @@
+//! What a scene is drawn to, kept from frame to frame.
+
+use antialiasing::canvas::Canvas;
+use antialiasing::multisampled::Multisampled;
+use antialiasing::storage::{Compressed, Samples};
+use common::{Format, Image};
+
+/// One sample a pixel.
+pub(crate) type Single = Multisampled<1, Samples<1>>;
+
+/// Sixteen.
+pub(crate) type Many = Multisampled<16, Compressed<16>>;
+
+/// An entity that is to be drawn: its number, and how deep before the eye it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Queued {
+    pub(crate) transparent: bool,
+    pub(crate) depth: f32,
+    pub(crate) entity: usize,
+}
+
+/// A picture, and what drawing one after the other needs and should not allocate again.
+pub struct Target {
+    /// Whether edges are smooth: sixteen samples a pixel instead of one.
+    pub antialiased: bool,
+    /// Whether the sides of triangles are drawn instead of what is within them.
+    pub wireframe: bool,
+    pub(crate) picture: Image,
+    pub(crate) single: Option<Single>,
+    pub(crate) many: Option<Many>,
+    pub(crate) queue: Vec<Queued>,
+}
+
+impl Target {
+    /// Black, of that size in pixels.
+    #[must_use]
+    pub fn new(width: u16, height: u16) -> Self {
+        Self {
+            antialiased: false,
+            wireframe: false,
+            picture: Image::new(width, height, Format::Rgb),
+            single: None,
+            many: None,
+            queue: Vec::new(),
+        }
+    }
+
+    /// What was drawn last.
+    #[must_use]
+    pub fn picture(&self) -> &Image {
+        &self.picture
+    }
+
+    /// The same for whoever keeps nothing else of it.
+    #[must_use]
+    pub fn into_picture(self) -> Image {
+        self.picture
+    }
+
+    /// Makes the picture one of another size, and black; of the same size it stays what it is.
+    pub fn resize(&mut self, width: u16, height: u16) {
+        if [self.picture.width(), self.picture.height()] != [width, height].map(i32::from) {
+            let Self { antialiased, wireframe, .. } = *self;
+            *self = Self { antialiased, wireframe, ..Self::new(width, height) };
+        }
+    }
+}
+
+/// A canvas for such a picture, made when it is first asked for.
+pub(crate) fn canvas<'a, C: Canvas>(kept: &'a mut Option<C>, picture: &Image) -> &'a mut C {
+    kept.get_or_insert_with(|| C::new([picture.width(), picture.height()].map(|side| side as usize)))
+}

@@ -1,0 +1,95 @@
+//! The versions of the assignment, one after the other, as data and small functions.
+
+mod all;
+mod crates;
+mod first;
+
+use common::{Mat4, Vec2, Vec3, Vec4};
+use perspective::perspective;
+
+use crate::orbit::Orbit;
+use crate::scene::Scene;
+use crate::version_11;
+
+/// A version: what is seen, from where, and which keys there are.
+pub struct Version {
+    /// Its number.
+    pub number: u8,
+    /// What it shows, in a line.
+    pub what: &'static str,
+    /// From eye space to clip space, for a picture of that size.
+    pub projection: fn(Vec2) -> Mat4,
+    /// The scene, its spheres of those sizes.
+    pub scene: fn(&[[usize; 2]]) -> anyhow::Result<Scene>,
+    /// Brings the scene to a time, in seconds from its beginning.
+    pub animate: fn(&mut Scene, f64),
+    /// Where the camera is at first, if it can move; else it stays at the origin and looks along −z.
+    pub camera: Option<Orbit>,
+    /// Whether F1 switches to the sides of triangles and back.
+    pub wireframe: bool,
+    /// Whether F2 switches to smooth edges and back.
+    pub antialiasing: bool,
+}
+
+pub(crate) const LAST: Version = all::ANTIALIASING;
+
+/// All of them, by their numbers. The last is the course's own.
+pub const VERSIONS: &[Version] = &[
+    first::WHITE,
+    first::COLORS,
+    first::DEPTH,
+    first::PHONG,
+    first::BLINN_PHONG,
+    first::PERSPECTIVE,
+    crates::TEXTURE,
+    crates::WIREFRAME,
+    crates::BLENDING,
+    all::CAMERA,
+    all::ANTIALIASING,
+    version_11::VERSION,
+];
+
+// ANCHOR: ours
+/// Where something stands, and how it is turned, of which the assignment says where and how.
+///
+/// Its z axis points away from the eye, ours towards it: each of its points (x, y, z) is our (x, y, −z). With the matrix
+/// Z = diag(1, 1, −1) a point p is our Z·p, and what its matrix M does to points ours does if it is Z·M·Z: so z changes its
+/// sign in a move, and turns about x and y, but not about z, change theirs. A mirror turns the order of corners round, so a
+/// mesh is not mirrored but made anew, with the order that faces outwards here: a cube and a sphere are their own mirror
+/// images.
+#[must_use]
+pub fn ours(position: Vec3, degrees: Vec3) -> (Vec3, Vec3) {
+    (position * Vec3::new(1.0, 1.0, -1.0), degrees * Vec3::new(-1.0, -1.0, 1.0))
+}
+// ANCHOR_END: ours
+
+/// How far the planes of [`orthographic`] are from the eye.
+const ORTHOGRAPHIC_FAR: f32 = 4.0;
+
+// ANCHOR: orthographic
+/// The assignment's first projection: x/5 and y/5, which bring ±5 to the borders of the picture, whatever its size. Depths
+/// from 0 to 4 are seen.
+#[must_use]
+pub fn orthographic(_size: Vec2) -> Mat4 {
+    Mat4::from_cols(
+        Vec4::new(1.0 / 5.0, 0.0, 0.0, 0.0),
+        Vec4::new(0.0, 1.0 / 5.0, 0.0, 0.0),
+        Vec4::new(0.0, 0.0, -2.0 / ORTHOGRAPHIC_FAR, 0.0),
+        Vec4::new(0.0, 0.0, -1.0, 1.0),
+    )
+}
+// ANCHOR_END: orthographic
+
+/// The perspective of a picture of that size: 60 degrees from bottom to top.
+#[must_use]
+pub fn in_perspective(size: Vec2) -> Mat4 {
+    perspective(60.0, size.x / size.y, 0.1, 100.0).expect("a picture has a width and a height")
+}
+
+/// Nothing moves.
+fn still(_: &mut Scene, _: f64) {}
+
+/// The angle, in degrees, after so many seconds at that many degrees a second.
+fn turned(degrees_a_second: f64, seconds: f64) -> f32 {
+    (degrees_a_second * seconds % 360.0) as f32
+}

@@ -1,0 +1,5 @@
+//! Lesson 16: what its methods draw, where they fail, what its program is asked.
+
+mod snapshots;
+mod stability;
+mod usage;
