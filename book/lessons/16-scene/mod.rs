@@ -7,7 +7,7 @@ pub(crate) mod charts;
 pub(crate) mod figures;
 mod sketches;
 
-use crate::lessons::{Lesson, Picture};
+use crate::lessons::Lesson;
 
 pub(crate) const LESSON: Lesson = Lesson {
     lesson: scene::LESSON,

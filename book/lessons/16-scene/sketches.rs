@@ -18,7 +18,7 @@ pub(super) fn parts() -> anyhow::Result<Drawing> {
     let at = |x: f32, y: f32| Vec2::new(x, y);
     sheet.rectangle((1.0, 6.4), (27.0, 28.0), PALE, BLACK);
     sheet.text_right_of((2.0, 26.4), "scene", BLACK);
-    let entities = ["entity: here, turned", "entity: there, small", "entity: far, half seen"];
+    let entities = ["entity: here, turned", "entity: there, small", "entity: far, of glass"];
     let meshes = [(at(40.0, 22.4), "mesh: cube", AMBER), (at(40.0, 13.6), "mesh: sphere", MINT)];
     for (n, words) in entities.iter().enumerate() {
         let middle = at(14.0, 23.0 - 4.4 * n as f32);
@@ -37,39 +37,38 @@ pub(super) fn parts() -> anyhow::Result<Drawing> {
     sheet.finish()
 }
 
-/// The three axes from above and aside, with two things that stand before the eye; `towards` is where z points to.
+/// Three axes and two things before the eye; `towards` is 1 where z points away from it, and −1 where it points to it.
 fn space(sheet: &mut Sheet, middle: Vec2, name: &str, towards: f32) {
     // What is far is drawn higher and more to the right.
-    let away = Vec2::new(0.5, 0.34);
+    let away = Vec2::new(0.55, 0.4);
     let at = |x: f32, y: f32, depth: f32| middle + Vec2::new(x, y) + depth * away;
-    sheet.line(at(0.0, 0.0, 0.0), at(0.0, 0.0, 10.6), FAINT, 1.4);
-    for (x, depth, ink, radius) in [(2.5, 10.0, MINT, 1.1), (-1.4, 6.0, AMBER, 1.1)] {
+    sheet.line(at(0.0, 0.0, 0.0), at(0.0, 0.0, 11.0), FAINT, 1.4);
+    for (x, depth, ink) in [(1.9, 10.5, MINT), (2.4, 6.0, AMBER)] {
         sheet.dashed(at(0.0, 0.0, depth), at(x, 0.0, depth), GREY, 1.2);
-        let rim = (0..48).map(|n| at(x, 0.0, depth) + radius * Vec2::from_angle(n as f32 * TAU / 48.0));
+        let sides = if ink == MINT { 48 } else { 4 };
         let corner = |n: i32| {
-            at(x, 0.0, depth) + 1.3 * radius * Vec2::from_angle(n as f32 * FRAC_PI_2 + FRAC_PI_2 / 2.0)
+            let angle = (n as f32 + 0.5) * TAU / sides as f32;
+            at(x, 0.0, depth) + if sides == 4 { 1.4 } else { 1.05 } * Vec2::from_angle(angle)
         };
-        let shape: Vec<Vec2> = if ink == MINT { rim.collect() } else { (0..4).map(corner).collect() };
-        sheet.polygon(&shape, ink, BLACK);
-        let z = towards * depth / 2.0;
-        let words = if z < 0.0 { format!("z = −{}", -z) } else { format!("z = {z}") };
-        sheet.text(at(x, -1.9, depth), &words, BLACK);
+        sheet.polygon(&(0..sides).map(corner).collect::<Vec<Vec2>>(), ink, BLACK);
+        let sign = if towards > 0.0 { "" } else { "−" };
+        sheet.text_right_of(at(x + 1.3, 0.0, depth), &format!("z = {sign}{}", depth / 3.0), BLACK);
     }
-    sheet.arrow(at(0.0, 0.0, 0.0), at(4.2, 0.0, 0.0), BLACK);
-    sheet.arrow(at(0.0, 0.0, 0.0), at(0.0, 4.2, 0.0), BLACK);
-    sheet.arrow(at(0.0, 0.0, 0.0), at(0.0, 0.0, 5.0 * towards), ORANGE);
-    sheet.text(at(4.9, 0.0, 0.0), "x", BLACK);
-    sheet.text(at(0.0, 5.0, 0.0), "y", BLACK);
-    let tip = if towards > 0.0 { at(0.2, 1.0, 4.4) } else { at(-0.9, 0.1, -4.9) };
+    sheet.arrow(at(0.0, 0.0, 0.0), at(3.2, 0.0, 0.0), BLACK);
+    sheet.arrow(at(0.0, 0.0, 0.0), at(0.0, 3.6, 0.0), BLACK);
+    sheet.arrow(at(0.0, 0.0, 0.0), at(0.0, 0.0, 4.2 * towards), ORANGE);
+    sheet.text(at(3.8, 0.0, 0.0), "x", BLACK);
+    sheet.text(at(0.0, 4.3, 0.0), "y", BLACK);
+    let tip = if towards > 0.0 { at(-0.1, 0.8, 3.6) } else { at(-0.2, 0.7, -4.0) };
     sheet.text(tip, "z", ORANGE);
     sheet.dot(at(0.0, 0.0, 0.0), BLACK);
-    sheet.text(middle + Vec2::new(2.4, -4.4), name, GREY);
+    sheet.text(middle + Vec2::new(4.4, -2.4), name, GREY);
 }
 
 pub(super) fn handed() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new((-3.6, -5.4), (23.0, 6.4));
-    space(&mut sheet, Vec2::new(-0.6, 0.0), "left-handed", 1.0);
-    space(&mut sheet, Vec2::new(12.6, 0.0), "right-handed", -1.0);
+    let mut sheet = Sheet::new((-1.6, -3.3), (28.6, 6.2));
+    space(&mut sheet, Vec2::new(0.0, 0.0), "left-handed", 1.0);
+    space(&mut sheet, Vec2::new(15.6, 0.0), "right-handed", -1.0);
     sheet.finish()
 }
 
@@ -79,7 +78,7 @@ fn seen(point: Vec3, azimuth: f32, elevation: f32) -> Vec2 {
 }
 
 pub(super) fn around() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new((-5.6, -2.9), (7.4, 4.6));
+    let mut sheet = Sheet::new((-5.2, -2.1), (6.4, 4.6));
     let at = |point: Vec3| seen(point, 24.0, 22.0);
     let (azimuth, elevation, distance) = (62.0_f32, 38.0, 4.6);
     let eye = |azimuth: f32, elevation: f32| orbit(azimuth, elevation, distance).w_axis.truncate();
@@ -101,13 +100,14 @@ pub(super) fn around() -> anyhow::Result<Drawing> {
     sheet.text(part(azimuth, elevation, 2.3) + Vec2::new(-0.25, 0.3), "r", BLUE);
     let place = at(eye(azimuth, elevation));
     sheet.dot(place, BLUE);
-    sheet.text_right_of(place + Vec2::new(0.25, 0.15), "camera", BLUE);
+    sheet.text_right_of(place + Vec2::new(0.25, -0.4), "camera", BLUE);
     // Its own axes.
     let camera = orbit(azimuth, elevation, distance);
     for (axis, ink, name) in [(camera.x_axis, GREEN, "right"), (camera.y_axis, GREEN, "up")] {
         let tip = eye(azimuth, elevation) + axis.truncate() * 1.1;
         sheet.arrow(place, at(tip), ink);
-        sheet.text(at(tip) + (at(tip) - place).normalize_or_zero() * 0.35, name, ink);
+        let beyond = at(tip) + (at(tip) - place).normalize_or_zero() * 0.3;
+        if name == "up" { sheet.text(beyond, name, ink) } else { sheet.text_right_of(beyond, name, ink) }
     }
     sheet.finish()
 }
@@ -120,7 +120,7 @@ fn sides(triangles: &[[u32; 3]]) -> std::collections::BTreeSet<[u32; 2]> {
 
 pub(super) fn rows() -> anyhow::Result<Drawing> {
     const SIZE: [usize; 2] = [6, 12];
-    let mut sheet = Sheet::new((-11.8, -6.0), (19.2, 5.6));
+    let mut sheet = Sheet::new((-11.8, -6.0), (19.2, 6.2));
     let shape = sphere(SIZE[0], SIZE[1]);
     let round = |n: u32| {
         seen(shape.vertices[n as usize].position, 15.0, 20.0) * 4.6 + Vec2::new(-6.6, 0.0)
@@ -153,10 +153,10 @@ pub(super) fn rows() -> anyhow::Result<Drawing> {
             }
         }
     }
-    sheet.text((-0.4, -5.5), "column 0", ORANGE);
-    sheet.text((17.4, -5.5), "column 12", ORANGE);
-    sheet.text((9.1, 5.2), "north pole, 12 times", PURPLE);
-    sheet.text((9.1, -5.4), "south pole", PURPLE);
+    sheet.text_right_of((-2.0, -5.6), "column 0", ORANGE);
+    sheet.text_left_of((19.2, -5.6), "column 12", ORANGE);
+    sheet.text((9.1, 5.7), "north pole, 12 times", PURPLE);
+    sheet.text((9.1, -5.6), "south pole", PURPLE);
     sheet.finish()
 }
 
@@ -205,7 +205,7 @@ pub(super) fn off(levels: &Levels, sizes: Sizes, distance: f32) -> anyhow::Resul
 }
 
 pub(super) fn levels() -> anyhow::Result<Drawing> {
-    let mut sheet = Sheet::new((-2.6, -2.3), (21.8, 12.6));
+    let mut sheet = Sheet::new((-2.6, -2.3), (21.8, 13.0));
     // Distances from 1.1 to 100, errors from 0.01 to 100 pixels.
     let across = |distance: f32| (distance / 1.1).log10() * 20.0 / (100.0_f32 / 1.1).log10();
     let up = |pixels: f32| (pixels.log10() + 2.0) * 3.0;
@@ -236,7 +236,7 @@ pub(super) fn levels() -> anyhow::Result<Drawing> {
     sheet.text(at(1.75, 0.075), "128x256", ORANGE);
     sheet.text(at(8.0, 0.16), "by-size", BLUE);
     sheet.text_left_of(at(96.0, 0.72), "½ px", BLACK);
-    sheet.text_right_of(at(1.15, 160.0) - Vec2::new(1.9, 0.0), "pixels", GREY);
+    sheet.text_right_of(at(1.15, 100.0) + Vec2::new(0.0, 0.55), "pixels", GREY);
     sheet.text(Vec2::new(10.0, -1.9), "distance", GREY);
     sheet.finish()
 }
@@ -250,11 +250,11 @@ const BALLS: [(f32, f32, f32); 12] = [
     (0.2, -6.6, 0.45),
     (3.4, -3.2, 0.7),
     (-4.0, -4.5, 0.6),
-    (5.5, -8.4, 0.5),
-    (-1.0, 1.0, 0.8),
+    (5.9, -6.2, 0.5),
+    (-1.9, 0.2, 0.8),
     (0.9, -9.4, 0.7),
-    (2.6, 0.6, 0.5),
-    (5.15, -8.75, 1.15),
+    (3.3, 0.4, 0.6),
+    (5.92, -8.75, 1.0),
 ];
 
 pub(super) fn frustum() -> anyhow::Result<Drawing> {
@@ -284,7 +284,7 @@ pub(super) fn frustum() -> anyhow::Result<Drawing> {
         sheet.polygon(&rim, fill, ink);
     }
     sheet.dot(at(0.0, 0.0), BLACK);
-    sheet.text_left_of(at(-0.3, 0.2), "eye", BLACK);
+    sheet.text_right_of(at(0.35, 0.05), "eye", BLACK);
     sheet.text_left_of(at(-0.8, -1.0), "near", GREY);
     sheet.text_left_of(at(-4.75, -8.0), "far", GREY);
     sheet.finish()
