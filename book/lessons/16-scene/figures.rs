@@ -164,7 +164,9 @@ fn aspect([width, height]: [u16; 2]) -> f32 {
 fn version(number: usize, seconds: f64, size: [u16; 2], wireframe: bool) -> anyhow::Result<Image> {
     let version: &Version = &VERSIONS[number];
     let mut scene = (version.scene)(sizes("by-size")?)?;
-    (version.animate)(&mut scene, seconds);
+    if let Some(animate) = version.animate {
+        animate(&mut scene, seconds);
+    }
     let camera = version.camera.map_or(Mat4::IDENTITY, |orbit| orbit.camera());
     let projection = (version.projection)(Vec2::new(size[0].into(), size[1].into()));
     let mut target = Target::new(size[0], size[1]);
@@ -227,7 +229,9 @@ fn cut_in_half() -> anyhow::Result<Drawing> {
     let shapes = [scene::cube(), sphere(24, 48)];
     let draw = |far: f32| {
         let mut scene = (version.scene)(sizes("32x64")?)?;
-        (version.animate)(&mut scene, 0.9);
+        if let Some(animate) = version.animate {
+            animate(&mut scene, 0.9);
+        }
         scene.style.cull = Cull::None;
         // Looked at from aside, where the plane is seen from its edge.
         let lamp = PointLight { position: Vec3::new(2.0, 5.0, -7.0), ambient: 0.35, ..PointLight::default() };

@@ -22,9 +22,20 @@ impl Output {
         Self { shared, name }
     }
 
-    /// A black picture of the size asked for, or else of the program's own.
+    /// Whether `--out` names a file: where none is named, a program may show its picture in a window instead.
+    #[must_use]
+    pub fn has_file(&self) -> bool {
+        self.shared.out.is_some()
+    }
+
+    /// Width and height in pixels, as asked for, or else the program's own.
+    pub fn size<P: Program>(&self, program: &P) -> (u16, u16) {
+        self.shared.size.unwrap_or_else(|| program.size())
+    }
+
+    /// A black picture of that size.
     pub(super) fn canvas<P: Program>(&self, program: &P) -> Image {
-        let (width, height) = self.shared.size.unwrap_or_else(|| program.size());
+        let (width, height) = self.size(program);
         Image::new(width, height, Format::Rgb)
     }
 

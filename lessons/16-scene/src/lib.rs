@@ -2,10 +2,12 @@
 
 pub mod entity;
 pub mod frustum;
+pub mod held;
 pub mod keys;
 pub mod levels;
 pub mod mesh;
 pub mod orbit;
+pub mod pixels;
 pub mod render;
 pub mod scene;
 pub mod shader;

@@ -4,10 +4,11 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use camera::flags::TurntableFlag;
-use common::program::{Extras, Output, Program, run};
+use common::program::{Extras, Output, Program, UsageError, run};
 use common::{Image, Lesson, Method};
+use scene::keys::Presses;
 use scene::levels::Sizes;
-use scene::{METHODS, Simulation, Target, VERSIONS};
+use scene::{METHODS, Simulation, Target, VERSIONS, Version};
 
 #[derive(clap::Args)]
 struct Flags {
@@ -15,16 +16,44 @@ struct Flags {
     #[arg(long, value_name = "N", default_value_t = 11, value_parser = clap::value_parser!(u8).range(0..=11))]
     version: u8,
 
-    /// The scene at this second
-    #[arg(long, value_name = "S", default_value_t = 0.0)]
-    time: f64,
+    /// The scene at this second, up to 1000000; in a window it stands still there until Space is pressed
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    time: Option<Duration>,
+
+    /// Keys that are pressed first, each for a twelfth of a second, as in "F1 Left*10 W*3"
+    #[arg(long, value_name = "KEYS", default_value = "", hide_default_value = true)]
+    keys: Presses,
 
     #[command(flatten)]
     turntable: TurntableFlag,
 }
 
+/// A time from the beginning, in seconds.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().filter(|seconds| (0.0..=1e6).contains(seconds));
+    seconds.map(Duration::from_secs_f64).ok_or_else(|| "write a number of seconds from 0 to 1000000".into())
+}
+
 struct Scenes {
     flags: Flags,
+    /// The picture of a turn that is to be drawn.
+    stop: u16,
+}
+
+impl Scenes {
+    fn version(&self) -> &'static Version {
+        &VERSIONS[usize::from(self.flags.version)]
+    }
+
+    /// The version with its spheres, at the time and after the keys that are asked for.
+    fn simulation(&self, sizes: Sizes) -> anyhow::Result<Simulation> {
+        let mut simulation = Simulation::new(self.version(), sizes)?;
+        if let Some(time) = self.flags.time {
+            simulation.stop_at(time);
+        }
+        simulation.replay(&self.flags.keys)?;
+        Ok(simulation)
+    }
 }
 
 impl Program for Scenes {
@@ -36,7 +65,7 @@ impl Program for Scenes {
     const DEFAULT: &str = "by-size";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
-        Ok(Self { flags })
+        Ok(Self { flags, stop: 0 })
     }
 
     fn size(&self) -> (u16, u16) {
@@ -44,8 +73,13 @@ impl Program for Scenes {
     }
 
     fn draw(&mut self, sizes: &Sizes, picture: &mut Image) -> anyhow::Result<Extras> {
-        let mut simulation = Simulation::new(&VERSIONS[usize::from(self.flags.version)], sizes)?;
-        simulation.advance(Duration::from_secs_f64(self.flags.time));
+        let mut simulation = self.simulation(sizes)?;
+        if let Some(stops) = self.flags.turntable.stops {
+            simulation.turn(self.stop, stops);
+        }
+        if !simulation.fits(picture) {
+            return Err(too_large(picture).into());
+        }
         let mut target = Target::new(picture.width() as u16, picture.height() as u16);
         let counts = simulation.draw(&mut target);
         *picture = target.into_picture();
@@ -53,8 +87,29 @@ impl Program for Scenes {
     }
 
     fn show(&mut self, sizes: &Sizes, output: &Output) -> anyhow::Result<()> {
-        output.one(self, sizes)
+        let Some(stops) = self.flags.turntable.stops else {
+            #[cfg(feature = "window")]
+            if !output.has_file() {
+                return scene::window::run(self.simulation(sizes)?, output.size(self));
+            }
+            return output.one(self, sizes);
+        };
+        if self.version().camera.is_none() {
+            return Err(UsageError(format!(
+                "--turntable: version {} has no camera that could turn",
+                self.flags.version
+            ))
+            .into());
+        }
+        output.series(self, sizes, stops, |scenes, n| scenes.stop = n)
     }
+}
+
+fn too_large(picture: &Image) -> UsageError {
+    let [width, height] = [picture.width(), picture.height()];
+    UsageError(format!(
+        "--size {width}x{height}: 16 samples a pixel are too many for it; up to 4096x4096 will do, or --keys F2"
+    ))
 }
 
 fn main() -> ExitCode {

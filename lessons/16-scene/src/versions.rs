@@ -7,6 +7,7 @@ mod first;
 use common::{Mat4, Vec2, Vec3, Vec4};
 use perspective::perspective;
 
+use crate::keys::Key;
 use crate::orbit::Orbit;
 use crate::scene::Scene;
 use crate::version_11;
@@ -21,14 +22,27 @@ pub struct Version {
     pub projection: fn(Vec2) -> Mat4,
     /// The scene, its spheres of those sizes.
     pub scene: fn(&[[usize; 2]]) -> anyhow::Result<Scene>,
-    /// Brings the scene to a time, in seconds from its beginning.
-    pub animate: fn(&mut Scene, f64),
+    /// Brings the scene to a time, in seconds from its beginning; none where nothing moves.
+    pub animate: Option<fn(&mut Scene, f64)>,
     /// Where the camera is at first, if it can move; else it stays at the origin and looks along −z.
     pub camera: Option<Orbit>,
     /// Whether F1 switches to the sides of triangles and back.
     pub wireframe: bool,
-    /// Whether F2 switches to smooth edges and back.
+    /// Whether edges are smooth, and F2 switches to rough ones and back.
     pub antialiasing: bool,
+}
+
+impl Version {
+    /// Whether there is such a key yet.
+    #[must_use]
+    pub fn has(&self, key: Key) -> bool {
+        match key {
+            Key::Escape => true,
+            Key::F1 => self.wireframe,
+            Key::F2 => self.antialiasing,
+            Key::Left | Key::Right | Key::Up | Key::Down | Key::W | Key::S => self.camera.is_some(),
+        }
+    }
 }
 
 pub(crate) const LAST: Version = all::ANTIALIASING;
@@ -85,9 +99,6 @@ pub fn orthographic(_size: Vec2) -> Mat4 {
 pub fn in_perspective(size: Vec2) -> Mat4 {
     perspective(60.0, size.x / size.y, 0.1, 100.0).expect("a picture has a width and a height")
 }
-
-/// Nothing moves.
-fn still(_: &mut Scene, _: f64) {}
 
 /// The angle, in degrees, after so many seconds at that many degrees a second.
 fn turned(degrees_a_second: f64, seconds: f64) -> f32 {

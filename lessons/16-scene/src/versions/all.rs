@@ -18,8 +18,8 @@ pub(super) const CAMERA: Version = Version {
     what: "all of it, and a camera that moves around it",
     projection: in_perspective,
     scene: all,
-    animate: |scene, seconds| scene.entities[2].degrees.y = turned(40.0, seconds),
-    camera: Some(Orbit { azimuth: 25.0, elevation: 20.0, distance: 5.0 }),
+    animate: Some(|scene, seconds| scene.entities[2].degrees.y = turned(40.0, seconds)),
+    camera: Some(Orbit::new(25.0, 20.0, 5.0)),
     wireframe: true,
     antialiasing: false,
 };

@@ -21,7 +21,7 @@ pub(super) const TEXTURE: Version = Version {
     what: "a wooden crate, textured",
     projection: in_perspective,
     scene: |_| crate_alone(),
-    animate: |scene, seconds| turn(&mut scene.entities[0], seconds),
+    animate: Some(|scene, seconds| turn(&mut scene.entities[0], seconds)),
     camera: None,
     wireframe: false,
     antialiasing: false,
@@ -34,7 +34,7 @@ pub(super) const BLENDING: Version = Version {
     number: 8,
     what: "a crate that one sees through before a large one; bilinear filtering, backs culled",
     scene: |_| two_crates(),
-    animate: |scene, seconds| turn(&mut scene.entities[1], seconds),
+    animate: Some(|scene, seconds| turn(&mut scene.entities[1], seconds)),
     ..WIREFRAME
 };
 

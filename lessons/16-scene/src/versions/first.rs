@@ -6,7 +6,7 @@ use clipping::Cull;
 use common::{Color, Vec2, Vec3};
 use lighting::PointLight;
 
-use super::{Version, in_perspective, orthographic, ours, still, turned};
+use super::{Version, in_perspective, orthographic, ours, turned};
 use crate::entity::Entity;
 use crate::levels::{Levels, spheres};
 use crate::mesh::{Mesh, Paint};
@@ -20,7 +20,7 @@ pub(super) const WHITE: Version = Version {
     what: "a white cube and a white sphere",
     projection: orthographic,
     scene: |sizes| Ok(cube_and_sphere(sizes, [Color::WHITE; 2], 2.5, Shading::Unlit)),
-    animate: still,
+    animate: None,
     camera: None,
     wireframe: false,
     antialiasing: false,
@@ -47,7 +47,7 @@ pub(super) const BLINN_PHONG: Version = Version {
     number: 4,
     what: "Blinn's model at each pixel; both turn",
     scene: |sizes| Ok(cube_and_sphere(sizes, [Color::RED, BLUE], 0.5, Shading::BlinnPhong)),
-    animate: turn,
+    animate: Some(turn),
     ..WHITE
 };
 
