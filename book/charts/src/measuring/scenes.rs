@@ -1,0 +1,194 @@
+//! What lesson 16 leaves out, and where the time of its own scene goes.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use common::file::write_whole;
+use common::{Color, Mat4, Vec2, Vec3};
+use clipping::Cull;
+use scene::head::{STAGES, head};
+use scene::{
+    Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Style, Target, VERSIONS, Vertex, render_scene,
+    sphere,
+};
+use serde_json::json;
+use transforms::inverse::rigid;
+
+use super::digits::{readable, three_digits};
+use super::draw::{Line, Lines, lines_in_each_layout};
+use super::measure::Work;
+use super::table::{Point, read_points, series_of, write_points};
+use super::{Comparison, Pictures, Run, caption};
+use crate::lessons::scene::figures::Sizes;
+
+/// The size in which the lesson's scenes are stated.
+const SIZE: [u16; 2] = [1024, 768];
+
+fn size() -> Vec2 {
+    Vec2::new(SIZE[0].into(), SIZE[1].into())
+}
+
+/// A scene to be drawn again and again.
+fn drawing(scene: Scene, antialiased: bool, projection: Mat4, camera: Mat4) -> Work {
+    let mut target = Target::new(SIZE[0], SIZE[1]);
+    target.antialiased = antialiased;
+    let inverse = rigid(&camera);
+    Work::new(1.0, move || render_scene(&scene, &mut target, &projection, &inverse))
+}
+
+/// Where the milliseconds of the lesson's own scene go: it, and it without one thing.
+pub(super) const FRAME: Comparison =
+    Comparison { name: "16-scene-frame", works: |_| frames(), measure: frame, draw: |_| Ok(Vec::new()) };
+
+/// What is done without.
+const WITHOUT: [&str; 7] = ["nothing", "samples", "light", "filter", "culling", "levels", "entities"];
+
+fn frames() -> anyhow::Result<Vec<Work>> {
+    let version = &VERSIONS[11];
+    let frame = |without: &str| -> anyhow::Result<Work> {
+        let all = |name: &str| METHODS.iter().find(|method| method.name == name).map_or(METHODS[0].run, |m| m.run);
+        let sizes: Sizes = if without == "levels" { all("128x256") } else { all("by-size") };
+        let mut scene = (version.scene)(sizes)?;
+        match without {
+            "light" => scene.style.shading = Shading::Unlit,
+            "filter" => scene.style.filter = Filtering::Nearest,
+            "culling" => scene.style.cull = Cull::None,
+            "entities" => scene.entities.clear(),
+            _ => {}
+        }
+        let camera = version.camera.map_or(Mat4::IDENTITY, |orbit| orbit.camera());
+        Ok(drawing(scene, without != "samples", (version.projection)(size()), camera))
+    };
+    WITHOUT.into_iter().map(frame).collect()
+}
+
+fn frame(run: &mut Run) -> anyhow::Result<()> {
+    let speeds = run.speeds(FRAME.name, 0, 1.0)?;
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["without", "ms"])?;
+    for (without, speed) in WITHOUT.iter().zip(&speeds) {
+        writer.write_record([*without, &three_digits(1000.0 / speed.median())])?;
+    }
+    write_whole(&run.folder.join(FRAME.name).with_extension("csv"), &writer.into_inner()?)?;
+    run.write_facts(FRAME.name, json!({ "size": SIZE }))
+}
+
+/// Many things of which some are seen, asked for or not.
+pub(super) const OUTSIDE: Comparison =
+    Comparison { name: "16-scene-outside", works: |share| Ok(outside(share)), measure: outsides, draw: outside_chart };
+
+/// How many of the things are in the picture, in percent.
+const SHARES: [usize; 6] = [0, 10, 25, 50, 75, 100];
+
+/// So many things.
+const THINGS: usize = 400;
+
+/// The same spheres twice: with the balls that contain them, and with balls so large that each might be seen.
+const ASKED: [&str; 2] = ["asked for", "not asked for"];
+
+fn outside(share: usize) -> Vec<Work> {
+    let shape = sphere(16, 32);
+    let mut unbounded = shape.clone();
+    // In no triangle: it costs nothing but the ball.
+    unbounded.vertices.push(Vertex { position: Vec3::splat(1e6), ..shape.vertices[0] });
+    let work = |shape| {
+        let mesh = Levels::one(Mesh::new(shape, Paint::Color(Color::gray(0.7))));
+        let entity = |n: usize| {
+            let [column, row] = [n % 20, n / 20].map(|n| n as f32 - 9.5);
+            // What is not seen is behind.
+            let seen = n * 37 % THINGS * 100 < share * THINGS;
+            let position = Vec3::new(column, row, if seen { -30.0 } else { 30.0 });
+            Entity { position, scale: Vec3::splat(0.4), ..Entity::new(Arc::clone(&mesh)) }
+        };
+        let scene = Scene {
+            entities: (0..THINGS).map(entity).collect(),
+            lights: vec![lighting::PointLight::default()],
+            background: Color::BLACK,
+            style: Style { shading: Shading::BlinnPhong, filter: Filtering::Nearest, cull: Cull::Back },
+        };
+        let projection = perspective::perspective(45.0, 4.0 / 3.0, 0.1, 100.0).expect("a camera");
+        drawing(scene, false, projection, Mat4::IDENTITY)
+    };
+    [&shape, &unbounded].map(work).into()
+}
+
+fn outsides(run: &mut Run) -> anyhow::Result<()> {
+    let mut points = Vec::new();
+    for share in SHARES {
+        let speeds = run.speeds(OUTSIDE.name, share, 0.15)?;
+        points.extend(ASKED.iter().zip(&speeds).map(|(name, speed)| Point {
+            method: (*name).into(),
+            at: share.to_string(),
+            value: three_digits(1000.0 / speed.median()),
+        }));
+    }
+    write_points(&points, ["way", "seen_%", "ms"], &run.folder.join(OUTSIDE.name).with_extension("csv"))?;
+    run.write_facts(OUTSIDE.name, json!({ "things": THINGS }))
+}
+
+fn line(name: String, hue: usize, points: Vec<(f64, f64)>, ringed: Option<usize>) -> Line {
+    Line { name, hue: Some(hue), points, ringed, does_it: true }
+}
+
+fn outside_chart(folder: &Path) -> anyhow::Result<Pictures> {
+    let points = read_points(&folder.join(OUTSIDE.name).with_extension("csv"))?;
+    let of = |name: &str| series_of(name, &points);
+    let at = |name: &str, share: f64| {
+        let found = of(name).into_iter().find(|point| point.0 == share);
+        found.map_or_else(|| "?".into(), |point| readable(point.1))
+    };
+    let chart = Lines {
+        name: OUTSIDE.name,
+        title: format!(
+            "With a tenth of {THINGS} spheres in the picture a frame takes {} ms where it is asked whether they are seen, \
+             else {} ms",
+            at(ASKED[0], 10.0),
+            at(ASKED[1], 10.0)
+        ),
+        reading: format!("The time for a picture of {THINGS} spheres of 960 triangles, by how many are seen."),
+        across: "spheres in the picture, % →".into(),
+        falling: false,
+        what: "time",
+        unit: "ms",
+        limit: None,
+        lines: ASKED.iter().enumerate().map(|(n, name)| line((*name).into(), n, of(name), None)).collect(),
+        caption: vec![
+            format!("Lesson 16, {}×{} px, one sample, lit at each pixel.", SIZE[0], SIZE[1]),
+            caption(folder, OUTSIDE.name)?,
+        ],
+    };
+    lines_in_each_layout(&chart)
+}
+
+/// The head in each of its levels, from near to far.
+pub(super) const HEADS: Comparison =
+    Comparison { name: "16-scene-heads", works: |distance| heads(distance), measure: head_levels, draw: heads_chart };
+
+/// Of the eye from the head's middle.
+const DISTANCES: [usize; 4] = [2, 6, 20, 60];
+
+/// One sample in each level, and the one that is chosen.
+fn heads(distance: usize) -> anyhow::Result<Vec<Work>> {
+    let levels = head(Paint::Color(Color::gray(0.8)))?;
+    let work = |levels: Arc<Levels>| {
+        let scene = Scene {
+            entities: vec![Entity::new(levels)],
+            lights: vec![lighting::PointLight::default()],
+            background: Color::BLACK,
+            style: Style { shading: Shading::BlinnPhong, filter: Filtering::Nearest, cull: Cull::Back },
+        };
+        let projection = perspective::perspective(45.0, 4.0 / 3.0, 0.1, 100.0).expect("a camera");
+        drawing(scene, false, projection, scene::orbit(20.0, 5.0, distance as f32))
+    };
+    let _ = levels;
+    todo!()
+}
+
+fn head_levels(_: &mut Run) -> anyhow::Result<()> {
+    todo!()
+}
+
+fn heads_chart(_: &Path) -> anyhow::Result<Pictures> {
+    let _ = STAGES;
+    todo!()
+}
