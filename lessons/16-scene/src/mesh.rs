@@ -32,6 +32,7 @@ pub struct Mesh {
     center: Vec3,
     radius: f32,
     opaque: bool,
+    mean: Color,
 }
 // ANCHOR_END: mesh
 
@@ -47,6 +48,7 @@ impl Mesh {
             assert_eq!(colors.len(), vertices.len(), "a colour for each vertex");
         }
         let (center, radius) = bounding_sphere(shape);
+        let (opaque, mean) = paint.summary();
         Self {
             positions: vertices.iter().map(|vertex| vertex.position).collect(),
             normals: vertices.iter().map(|vertex| vertex.normal).collect(),
@@ -54,7 +56,8 @@ impl Mesh {
                 Paint::Texture(_) => vertices.iter().map(|vertex| vertex.uv).collect(),
                 Paint::Color(_) | Paint::Colors(_) => Vec::new(),
             },
-            opaque: paint.is_opaque(),
+            opaque,
+            mean,
             paint,
             assembled: assembled(vertices.len(), triangles),
             center,
@@ -95,6 +98,12 @@ impl Mesh {
         self.opaque
     }
 
+    /// The mean of its colours, of their codes: one colour that stands for all of them.
+    #[must_use]
+    pub fn mean(&self) -> Color {
+        self.mean
+    }
+
     /// Its vertices and triangles as lesson 11's loop takes them.
     #[must_use]
     pub fn assembled(&self) -> &clipping::Mesh {
@@ -122,14 +131,25 @@ impl Mesh {
 }
 
 impl Paint {
-    fn is_opaque(&self) -> bool {
-        let is_opaque = |color: Color| color.a == u8::MAX;
+    /// Whether all its colours are opaque, and their mean.
+    fn summary(&self) -> (bool, Color) {
+        let (mut sum, mut count, mut opaque) = ([0; 4], 0, true);
+        self.visit(|Color { r, g, b, a }| {
+            sum = std::array::from_fn(|n| sum[n] + u64::from([r, g, b, a][n]));
+            count += 1;
+            opaque &= a == u8::MAX;
+        });
+        let [r, g, b, a] = sum.map(|sum| ((sum + count / 2) / count.max(1)) as u8);
+        (opaque, Color { r, g, b, a })
+    }
+
+    fn visit(&self, mut visit: impl FnMut(Color)) {
         match self {
-            Self::Color(color) => is_opaque(*color),
-            Self::Colors(colors) => colors.iter().copied().all(is_opaque),
+            Self::Color(color) => visit(*color),
+            Self::Colors(colors) => colors.iter().copied().for_each(visit),
             Self::Texture(texture) => {
                 let base = texture.base();
-                (0..base.height()).all(|j| (0..base.width()).all(|i| is_opaque(base.texel(i, j))))
+                (0..base.height()).for_each(|j| (0..base.width()).for_each(|i| visit(base.texel(i, j))));
             }
         }
     }

@@ -32,7 +32,7 @@ mod tests {
         picture.set_all(|n| Color::rgb(0x10 + n as u8, 0x20 + n as u8, 0x30 + n as u8));
         let mut buffer = [u32::MAX; 6];
         show(&picture, &mut buffer);
-        assert_eq!(buffer, [0x13_23_33, 0x14_24_34, 0x15_25_35, 0x10_20_30, 0x11_21_31, 0x12_22_32]);
+        assert_eq!(buffer, [0x132333, 0x142434, 0x152535, 0x102030, 0x112131, 0x122232]);
     }
 
     #[test]

@@ -5,9 +5,10 @@ use std::ops::AddAssign;
 use antialiasing::canvas::{Canvas, render};
 use antialiasing::resolve;
 use blending::depth::DepthStage;
+use blending::translucent::faded;
 use blending::{Over, State, TwoShift};
 use clipping::Cull;
-use common::{Mat4, Vec2, Vec3};
+use common::{Image, Mat4, Vec2, Vec3};
 use filtering::filter::{Bilinear, Nearest, Trilinear};
 use transforms::inverse::elimination;
 
@@ -17,7 +18,7 @@ use crate::mesh::{Mesh, Paint};
 use crate::scene::{Filtering, Scene, Shading};
 use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
-use crate::wireframe;
+use crate::wireframe::Wires;
 
 /// What became of entities and of their triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,6 +46,8 @@ struct View {
     to_clip: Mat4,
     /// The eye in the world.
     eye: Vec3,
+    /// The picture's size in pixels.
+    size: Vec2,
 }
 
 /// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
@@ -55,43 +58,37 @@ struct View {
 /// there is no eye, and nothing but the background is seen.
 // ANCHOR: render_scene
 pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inverse_camera: &Mat4) -> Counts {
+    let Target { antialiased, wireframe, picture, single, many, queue, wires } = target;
+    let to_clip = *projection * *inverse_camera;
+    let camera = elimination(inverse_camera);
+    let eye = camera.unwrap_or_default().w_axis.truncate();
+    let view = View { to_clip, eye, size: picture.size() };
     let mut counts = Counts::default();
-    let view = elimination(inverse_camera)
-        .map(|camera| View { to_clip: *projection * *inverse_camera, eye: camera.w_axis.truncate() });
-    target.queue.clear();
-    if let Some(view) = &view {
-        enqueue(scene, view, inverse_camera, &mut target.queue, &mut counts);
+    queue.clear();
+    if camera.is_some() {
+        enqueue(scene, &view, inverse_camera, *wireframe, queue, &mut counts);
     }
-    let Target { picture, single, many, queue, .. } = target;
-    let Some(view) = view else {
-        picture.set_all(|_| scene.background);
-        return counts;
-    };
-    if target.wireframe {
-        picture.set_all(|_| scene.background);
-        let size = picture.size();
-        for queued in &*queue {
-            let entity = &scene.entities[queued.entity];
-            let mesh = level(entity, &view, size);
-            let to_clip = view.to_clip * entity.to_world();
-            wireframe::draw(mesh, &to_clip, cull(scene, entity), entity.alpha, target.antialiased, picture);
-        }
-    } else if target.antialiased {
-        let canvas = canvas(many, picture);
-        counts.triangles += draw(scene, &view, queue, canvas);
-        canvas.resolve(resolve, picture);
+    counts.triangles = if *wireframe {
+        draw_wires(scene, &view, queue, *antialiased, wires, picture)
+    } else if *antialiased {
+        draw(scene, &view, queue, canvas(many, picture), picture)
     } else {
-        let canvas = canvas(single, picture);
-        counts.triangles += draw(scene, &view, queue, canvas);
-        canvas.resolve(resolve, picture);
-    }
+        draw(scene, &view, queue, canvas(single, picture), picture)
+    };
     counts
 }
 // ANCHOR_END: render_scene
 
-/// Who is to be drawn, in this order.
+/// Who is to be drawn, in this order. Through a wireframe one sees, so all are drawn from the farthest on.
 // ANCHOR: enqueue
-fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Queued>, counts: &mut Counts) {
+fn enqueue(
+    scene: &Scene,
+    view: &View,
+    inverse_camera: &Mat4,
+    wireframe: bool,
+    queue: &mut Vec<Queued>,
+    counts: &mut Counts,
+) {
     for (number, entity) in scene.entities.iter().enumerate() {
         let bounds = entity.bounds();
         if entity.normals_to_world().is_none() {
@@ -100,7 +97,8 @@ fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Qu
             counts.outside += 1;
         } else if entity.alpha > 0.0 {
             let depth = -inverse_camera.transform_point3(bounds.center).z;
-            queue.push(Queued { transparent: !entity.is_opaque(), depth, entity: number });
+            let transparent = wireframe || !entity.is_opaque();
+            queue.push(Queued { transparent, depth, entity: number });
         }
     }
     queue.sort_unstable_by(|a, b| {
@@ -110,18 +108,39 @@ fn enqueue(scene: &Scene, view: &View, inverse_camera: &Mat4, queue: &mut Vec<Qu
 }
 // ANCHOR_END: enqueue
 
+fn draw_wires(
+    scene: &Scene,
+    view: &View,
+    queue: &[Queued],
+    smooth: bool,
+    wires: &mut Wires,
+    picture: &mut Image,
+) -> clipping::Counts {
+    picture.set_all(|_| scene.background);
+    let mut counts = clipping::Counts::default();
+    for queued in queue {
+        let entity = &scene.entities[queued.entity];
+        let mesh = level(entity, view);
+        let to_clip = view.to_clip * entity.to_world();
+        let color = faded(mesh.mean(), entity.alpha);
+        counts += wires.draw(mesh, &to_clip, cull(scene, entity), color, smooth, picture);
+    }
+    counts
+}
+
 fn draw<C: Canvas<Stencil = ()>>(
     scene: &Scene,
     view: &View,
     queue: &[Queued],
     canvas: &mut C,
+    picture: &mut Image,
 ) -> clipping::Counts {
     canvas.clear(scene.background, false);
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
         let Some(normals_to_world) = entity.normals_to_world() else { continue };
-        let mesh = level(entity, view, canvas.size());
+        let mesh = level(entity, view);
         let placed = Placed {
             mesh,
             to_world: entity.to_world(),
@@ -132,12 +151,13 @@ fn draw<C: Canvas<Stencil = ()>>(
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
         counts += pass.draw(canvas);
     }
+    canvas.resolve(resolve, picture);
     counts
 }
 
 /// The mesh of an entity that is fine enough.
-fn level<'a>(entity: &'a Entity, view: &View, size: Vec2) -> &'a Mesh {
-    let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), size);
+fn level<'a>(entity: &'a Entity, view: &View) -> &'a Mesh {
+    let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), view.size);
     entity.levels.choose(pixels * entity.scale.abs().max_element())
 }
 

@@ -5,6 +5,8 @@ use antialiasing::multisampled::Multisampled;
 use antialiasing::storage::{Compressed, Samples};
 use common::{Format, Image};
 
+use crate::wireframe::Wires;
+
 /// One sample a pixel.
 pub(crate) type Single = Multisampled<1, Samples<1>>;
 
@@ -29,6 +31,7 @@ pub struct Target {
     pub(crate) single: Option<Single>,
     pub(crate) many: Option<Many>,
     pub(crate) queue: Vec<Queued>,
+    pub(crate) wires: Wires,
 }
 
 impl Target {
@@ -42,6 +45,7 @@ impl Target {
             single: None,
             many: None,
             queue: Vec::new(),
+            wires: Wires::default(),
         }
     }
 

@@ -26,7 +26,7 @@ pub struct Version {
     pub animate: Option<fn(&mut Scene, f64)>,
     /// Where the camera is at first, if it can move; else it stays at the origin and looks along −z.
     pub camera: Option<Orbit>,
-    /// Whether F1 switches to the sides of triangles and back.
+    /// Whether F1 switches to the sides of triangles, and back.
     pub wireframe: bool,
     /// Whether edges are smooth, and F2 switches to rough ones and back.
     pub antialiasing: bool,
@@ -94,10 +94,13 @@ pub fn orthographic(_size: Vec2) -> Mat4 {
 }
 // ANCHOR_END: orthographic
 
-/// The perspective of a picture of that size: 60 degrees from bottom to top.
+/// What a camera sees that looks so many degrees from bottom to top, in a picture of that size: from 0.1 to 100 before it.
+///
+/// # Panics
+/// Where the picture has no width or height, or as many degrees make none.
 #[must_use]
-pub fn in_perspective(size: Vec2) -> Mat4 {
-    perspective(60.0, size.x / size.y, 0.1, 100.0).expect("a picture has a width and a height")
+pub fn in_perspective(fov: f32, size: Vec2) -> Mat4 {
+    perspective(fov, size.x / size.y, 0.1, 100.0).expect("a picture has a width and a height")
 }
 
 /// The angle, in degrees, after so many seconds at that many degrees a second.

@@ -1,11 +1,281 @@
-//! The window.
+//! The window, in which a simulation is seen while it goes on.
+//!
+//! It is `winit`'s, and `softbuffer` puts the picture into it. What happens to it is handed on to the [`Simulation`], which
+//! knows of no window: whatever is seen here, `--out` can draw.
+//!
+//! A picture is drawn when it would be another one than the last, and no sooner than the screen shows it; while nothing
+//! moves, the program sleeps. Its pixels are the screen's own: where a screen has two of them, each way, for one that
+//! programs count, there are four times as many to draw.
 
+mod keyboard;
+mod pace;
+
+use std::fmt::Write;
+use std::num::NonZeroU32;
+use std::panic::{catch_unwind, set_hook, take_hook};
+use std::rc::Rc;
+use std::time::Instant;
+
+use anyhow::{anyhow, bail};
+use softbuffer::{Context, Surface};
+use winit::application::ApplicationHandler;
+use winit::dpi::{LogicalSize, PhysicalPosition, PhysicalSize};
+use winit::event::{KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, OwnedDisplayHandle};
+use winit::keyboard::{Key as Typed, NamedKey};
+use winit::window::{Window, WindowId};
+
+use crate::pixels::show;
 use crate::simulation::Simulation;
+use crate::target::Target;
 
-/// Shows a simulation.
+use keyboard::key;
+use pace::Pace;
+
+/// Shows a simulation until Escape is pressed or the window closed. At first the window is so wide and so high, in pixels of
+/// a screen whose scale is 1.
 ///
 /// # Errors
-/// Where there is no display.
-pub fn run(_: Simulation, _: (u16, u16)) -> anyhow::Result<()> {
-    anyhow::bail!("there is no display to open a window on; --out FILE draws into a file")
+/// Where there is no display, or the system gives no window or no pixels.
+pub fn run(simulation: Simulation, (width, height): (u16, u16)) -> anyhow::Result<()> {
+    let events = event_loop()?;
+    let mut app = App {
+        simulation,
+        size: LogicalSize::new(width, height),
+        shown: None,
+        pointer: PhysicalPosition::default(),
+        is_dragged: false,
+        outcome: Ok(()),
+    };
+    events.run_app(&mut app)?;
+    app.outcome
+}
+
+/// What tells of events, where there is a display, and a library for it.
+fn event_loop() -> anyhow::Result<EventLoop<()>> {
+    // Where there is X, but not its library for keyboards, winit panics; to us it is one reason more.
+    let hook = take_hook();
+    set_hook(Box::new(|_| {}));
+    let made = catch_unwind(EventLoop::new);
+    set_hook(hook);
+    let why = match made {
+        Ok(Ok(events)) => return Ok(events),
+        Ok(Err(error)) => reason(&error.to_string()).to_string(),
+        Err(panic) => panic.downcast::<String>().map_or_else(|_| "a library is missing".into(), |why| *why),
+    };
+    bail!("there is no display to open a window on ({why}): --out FILE draws into a file instead")
+}
+
+/// What winit says, without the line of its source that it begins with.
+fn reason(error: &str) -> &str {
+    let said = error.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
+    said.map_or(error, |(_, said)| said).trim_end_matches('.')
+}
+
+/// A simulation, and its window once there is one.
+struct App {
+    simulation: Simulation,
+    /// The window's size at first.
+    size: LogicalSize<u16>,
+    shown: Option<Shown>,
+    /// Where the mouse is, and whether it pulls.
+    pointer: PhysicalPosition<f64>,
+    is_dragged: bool,
+    /// How it ended.
+    outcome: anyhow::Result<()>,
+}
+
+impl App {
+    fn end(&mut self, events: &ActiveEventLoop, outcome: anyhow::Result<()>) {
+        self.outcome = outcome;
+        events.exit();
+    }
+
+    // ANCHOR: keys
+    fn typed(&mut self, event: &KeyEvent) {
+        let pressed = event.state.is_pressed();
+        if event.logical_key == Typed::Named(NamedKey::Space) && pressed {
+            self.simulation.pause();
+        }
+        match key(&event.logical_key, event.physical_key) {
+            Some(key) if pressed => self.simulation.press(key),
+            Some(key) => self.simulation.release(key),
+            None => {}
+        }
+    }
+    // ANCHOR_END: keys
+}
+
+impl ApplicationHandler for App {
+    fn resumed(&mut self, events: &ActiveEventLoop) {
+        if self.shown.is_none() {
+            match Shown::open(events, self.size) {
+                Ok(shown) => self.shown = Some(shown),
+                Err(error) => self.end(events, Err(error)),
+            }
+        }
+    }
+
+    // ANCHOR: events
+    fn window_event(&mut self, events: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        let Some(shown) = &mut self.shown else { return };
+        // What was held until now has moved until now.
+        self.simulation.advance(shown.pace.passed(Instant::now()));
+        match event {
+            WindowEvent::RedrawRequested => {
+                if let Err(error) = shown.draw(&mut self.simulation) {
+                    self.end(events, Err(error));
+                }
+                return;
+            }
+            WindowEvent::CloseRequested => self.end(events, Ok(())),
+            WindowEvent::Resized(size) => shown.size = size,
+            WindowEvent::Occluded(is_occluded) => shown.is_occluded = is_occluded,
+            WindowEvent::Focused(is_focused) => {
+                // Without the focus it is not told of keys, nor of their release.
+                shown.is_focused = is_focused;
+                self.simulation.release_all();
+            }
+            WindowEvent::KeyboardInput { event, is_synthetic: false, .. } if !event.repeat => {
+                self.typed(&event);
+            }
+            WindowEvent::MouseInput { state, button: MouseButton::Left, .. } => {
+                self.is_dragged = state.is_pressed();
+            }
+            WindowEvent::CursorMoved { position, .. } => {
+                let from = std::mem::replace(&mut self.pointer, position);
+                if !self.is_dragged {
+                    return;
+                }
+                self.simulation.drag(position.x - from.x, position.y - from.y, shown.size.height);
+            }
+            WindowEvent::MouseWheel { delta: MouseScrollDelta::LineDelta(_, lines), .. } => {
+                self.simulation.scroll(lines.into());
+            }
+            WindowEvent::MouseWheel { delta: MouseScrollDelta::PixelDelta(by), .. } => {
+                self.simulation.scroll(by.y / PIXELS_A_LINE);
+            }
+            _ => return,
+        }
+        if self.simulation.is_over() {
+            self.end(events, Ok(()));
+        }
+        if let Some(shown) = &mut self.shown {
+            shown.is_stale = true;
+        }
+    }
+    // ANCHOR_END: events
+
+    // ANCHOR: wait
+    fn about_to_wait(&mut self, events: &ActiveEventLoop) {
+        let Some(shown) = &mut self.shown else { return };
+        let now = Instant::now();
+        let mut flow = ControlFlow::Wait;
+        if shown.is_hidden() {
+            shown.pace.stop();
+        } else if shown.is_stale || self.simulation.is_moving() {
+            match shown.pace.due(now) {
+                due if due > now => flow = ControlFlow::WaitUntil(due),
+                _ => shown.window.request_redraw(),
+            }
+        }
+        match shown.pace.title_due(now) {
+            Some(due) if due <= now => shown.write_title(&self.simulation, now),
+            Some(due) if flow == ControlFlow::Wait => flow = ControlFlow::WaitUntil(due),
+            _ => {}
+        }
+        events.set_control_flow(flow);
+    }
+    // ANCHOR_END: wait
+}
+
+/// What turns a touchpad's pixels into a wheel's lines.
+const PIXELS_A_LINE: f64 = 40.0;
+
+/// A window, and what is shown in it.
+struct Shown {
+    window: Rc<Window>,
+    surface: Surface<OwnedDisplayHandle, Rc<Window>>,
+    target: Target,
+    /// In pixels of the screen; some systems' windows have none while they are minimised.
+    size: PhysicalSize<u32>,
+    pace: Pace,
+    /// Whether something has happened since a picture was drawn.
+    is_stale: bool,
+    is_occluded: bool,
+    is_focused: bool,
+    /// How many triangles were filled in the last picture.
+    triangles: usize,
+    title: String,
+}
+
+impl Shown {
+    fn open(events: &ActiveEventLoop, size: LogicalSize<u16>) -> anyhow::Result<Self> {
+        let attributes = Window::default_attributes().with_title("scene").with_inner_size(size);
+        let no_window = |error: &dyn std::fmt::Display| {
+            anyhow!("the display gives no window ({error}): --out FILE draws into a file instead")
+        };
+        let window = Rc::new(events.create_window(attributes).map_err(|error| no_window(&error))?);
+        let context = Context::new(events.owned_display_handle()).map_err(|error| no_window(&error))?;
+        let surface = Surface::new(&context, window.clone()).map_err(|error| no_window(&error))?;
+        let screen = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
+        Ok(Self {
+            size: window.inner_size(),
+            window,
+            surface,
+            target: Target::new(0, 0),
+            pace: Pace::new(screen),
+            is_stale: true,
+            is_occluded: false,
+            is_focused: false,
+            triangles: 0,
+            title: String::new(),
+        })
+    }
+
+    /// Whether there is nothing to be seen of it. Some systems tell when it is minimised, others when they are asked; they
+    /// are while another window has the focus.
+    fn is_hidden(&self) -> bool {
+        let minimized = || !self.is_focused && self.window.is_minimized() == Some(true);
+        self.is_occluded || self.size.width == 0 || self.size.height == 0 || minimized()
+    }
+
+    // ANCHOR: draw
+    fn draw(&mut self, simulation: &mut Simulation) -> anyhow::Result<()> {
+        let PhysicalSize { width, height } = self.size;
+        let (Some(columns), Some(rows)) = (NonZeroU32::new(width), NonZeroU32::new(height)) else {
+            return Ok(());
+        };
+        let begun = Instant::now();
+        self.target.resize(u16::try_from(width)?, u16::try_from(height)?);
+        self.triangles = simulation.draw(&mut self.target).triangles.filled;
+        let no_pixels = |error| anyhow!("the display takes no pixels: {error}");
+        self.surface.resize(columns, rows).map_err(no_pixels)?;
+        let mut buffer = self.surface.buffer_mut().map_err(no_pixels)?;
+        show(self.target.picture(), &mut buffer);
+        self.window.pre_present_notify();
+        buffer.present().map_err(no_pixels)?;
+        self.pace.drew(begun, Instant::now());
+        self.is_stale = false;
+        Ok(())
+    }
+    // ANCHOR_END: draw
+
+    /// Says in the title what is seen, and how long it takes.
+    fn write_title(&mut self, simulation: &Simulation, now: Instant) {
+        let Self { target, triangles, title, .. } = self;
+        let milliseconds = self.pace.milliseconds(now);
+        let [width, height] = [target.picture().width(), target.picture().height()];
+        title.clear();
+        let drawn = if target.wireframe { "wireframe".into() } else { format!("{triangles} triangles") };
+        let samples = if target.antialiased { ", 16 samples" } else { "" };
+        let paused = if simulation.is_paused() { ", paused" } else { "" };
+        let number = simulation.version().number;
+        // Writing to a string does not fail.
+        let _ = write!(
+            title,
+            "Version {number}: {milliseconds:.1} ms a frame, {drawn}, {width}x{height}{samples}{paused}"
+        );
+        self.window.set_title(title);
+    }
 }

@@ -1,54 +1,88 @@
-//! The sides of triangles instead of what is within them.
+//! The sides of triangles instead of what is within them: lesson 1's lines, between points of lesson 11's clip space.
 
-use blending::translucent::faded;
-use clipping::Cull;
 use clipping::clip::{ClipVertex, cut};
 use clipping::facing::facing;
 use clipping::plane::{PLANES, distance};
+use clipping::{Counts, Cull};
 use common::{Color, IVec2, Image, Mat4, Vec2, Vec4, Vec4Swizzles};
 use lines::{bresenham, wu};
 use perspective::window;
 
 use crate::mesh::Mesh;
 
-/// Draws the sides of a mesh's triangles, but of those that are left out for the side that they show, by lesson 1's lines.
-pub fn draw(mesh: &Mesh, to_clip: &Mat4, cull: Cull, alpha: f32, smooth: bool, picture: &mut Image) {
-    let color = faded(Color::WHITE, alpha);
-    let (size, bounds) = (picture.size(), picture.bounds());
-    for (_, triangle) in mesh.assembled().triangles() {
-        let corners = triangle.map(|vertex| {
-            let position = mesh.assembled().vertices[vertex as usize].position;
-            *to_clip * mesh.positions()[position as usize].extend(1.0)
-        });
-        if cull.leaves_out(facing(corners)) {
-            continue;
+/// What drawing one mesh after the other need not allocate again.
+#[derive(Default)]
+pub struct Wires {
+    positions: Vec<Vec4>,
+    lines: Vec<[IVec2; 2]>,
+}
+
+impl Wires {
+    /// Draws each side of a mesh's triangles once, but for triangles that are left out for the side that they show. A colour's
+    /// alpha counts; smooth lines are Wu's, others Bresenham's. A line ends in the pixels that its corners are in.
+    // ANCHOR: wireframe
+    pub fn draw(
+        &mut self,
+        mesh: &Mesh,
+        to_clip: &Mat4,
+        cull: Cull,
+        color: Color,
+        smooth: bool,
+        picture: &mut Image,
+    ) -> Counts {
+        let Self { positions, lines } = self;
+        let (size, bounds) = (picture.size(), picture.bounds());
+        let vertices = mesh.assembled().vertices.iter();
+        positions.clear();
+        positions
+            .extend(vertices.map(|vertex| *to_clip * mesh.positions()[vertex.position as usize].extend(1.0)));
+        let mut counts = Counts { vertices: positions.len(), ..Counts::default() };
+        lines.clear();
+        for (_, triangle) in mesh.assembled().triangles() {
+            let corners = triangle.map(|vertex| positions[vertex as usize]);
+            if cull.leaves_out(facing(corners)) {
+                counts.culled += 1;
+                continue;
+            }
+            let [a, b, c] = corners;
+            lines.extend([[a, b], [b, c], [c, a]].into_iter().filter_map(|side| pixels(side, size)));
+            counts.filled += 1;
         }
-        let [a, b, c] = corners;
-        for [from, to] in [[a, b], [b, c], [c, a]].into_iter().filter_map(|side| pixels(side, size)) {
+        // Two triangles share a side, and a line is the same from either end.
+        lines.sort_unstable_by_key(|line| line.map(|end| end.to_array()));
+        lines.dedup();
+        for &[from, to] in &*lines {
             let plot = |x, y, coverage: u8| {
-                picture.blend(x, y, color, (u16::from(coverage) * u16::from(color.a) / 255) as u8);
+                // Exact: no product of two bytes is half-way between two multiples of 255.
+                let share = (u32::from(coverage) * u32::from(color.a) + 127) / 255;
+                picture.blend(x, y, color, share as u8);
             };
             if smooth { wu(from, to, bounds, plot) } else { bresenham(from, to, bounds, plot) }
         }
+        counts
     }
+    // ANCHOR_END: wireframe
 }
 
-/// The pixels at the ends of what can be seen of a side.
+/// The pixels at the ends of what is in the picture of a side, in one order whichever end comes first.
+// ANCHOR: pixels
 fn pixels(mut ends: [Vec4; 2], size: Vec2) -> Option<[IVec2; 2]> {
     for plane in PLANES {
         let distances = ends.map(|end| distance(plane, end));
-        let outside = distances.map(|distance| distance < 0.0);
-        match outside {
-            [true, true] => return None,
-            [false, false] => {}
-            [first, _] => {
-                let vertices = ends.map(|position| ClipVertex { position, varying: () });
-                ends[usize::from(!first)] = cut(vertices, distances).position;
-            }
+        let is_outside = distances.map(|distance| distance < 0.0);
+        if is_outside == [true; 2] {
+            return None;
+        }
+        if let Some(outside) = is_outside.iter().position(|&is_outside| is_outside) {
+            let vertices = ends.map(|position| ClipVertex { position, varying: () });
+            ends[outside] = cut(vertices, distances).position;
         }
     }
     let [from, to] = ends.map(|end| window(end, size));
     let last = size.as_ivec2() - 1;
-    let pixel = |end: Vec4| end.xy().floor().as_ivec2().min(last);
-    Some([pixel(from?), pixel(to?)])
+    // What is exactly on the right border belongs to the last column.
+    let pixel = |end: Vec4| end.xy().floor().as_ivec2().clamp(IVec2::ZERO, last);
+    let [from, to] = [pixel(from?), pixel(to?)];
+    Some(if from.to_array() <= to.to_array() { [from, to] } else { [to, from] })
 }
+// ANCHOR_END: pixels

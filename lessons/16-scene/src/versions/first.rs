@@ -1,4 +1,4 @@
-//! Versions 0 to 5: a cube and a sphere, from white to lit at each pixel.
+//! Versions 0 to 5: a cube and a sphere, from white to lit at each pixel and seen in perspective.
 
 use std::sync::Arc;
 
@@ -26,48 +26,61 @@ pub(super) const WHITE: Version = Version {
     antialiasing: false,
 };
 
-pub(super) const COLORS: Version =
-    Version { number: 1, what: "a triangle between red, green and blue", scene: |_| Ok(triangle()), ..WHITE };
-
-pub(super) const DEPTH: Version = Version {
-    number: 2,
-    what: "a red cube in a blue sphere: what is nearer hides what is behind",
-    scene: |sizes| Ok(cube_and_sphere(sizes, [Color::RED, BLUE], 0.5, Shading::Unlit)),
+pub(super) const COLORS: Version = Version {
+    number: 1,
+    what: "a triangle with a colour at each corner",
+    scene: |_| Ok(triangle()),
     ..WHITE
 };
 
+// ANCHOR: depth
+pub(super) const DEPTH: Version = Version {
+    number: 2,
+    what: "a red cube partly in a blue sphere: what is nearer hides what is behind",
+    scene: |sizes| Ok(cube_and_sphere(sizes, [Color::RED, BLUE], 0.5, Shading::Unlit)),
+    ..WHITE
+};
+// ANCHOR_END: depth
+
 pub(super) const PHONG: Version = Version {
     number: 3,
-    what: "a light, Phong's model at the corners",
+    what: "the same under a light, by Phong's model at the corners of triangles",
     scene: |sizes| Ok(cube_and_sphere(sizes, [Color::RED, BLUE], 0.5, Shading::Phong)),
     ..WHITE
 };
 
 pub(super) const BLINN_PHONG: Version = Version {
     number: 4,
-    what: "Blinn's model at each pixel; both turn",
+    what: "by Blinn's model at each pixel, and both turn",
     scene: |sizes| Ok(cube_and_sphere(sizes, [Color::RED, BLUE], 0.5, Shading::BlinnPhong)),
     animate: Some(turn),
     ..WHITE
 };
 
-pub(super) const PERSPECTIVE: Version =
-    Version { number: 5, what: "the same in perspective", projection: in_perspective, ..BLINN_PHONG };
+pub(super) const PERSPECTIVE: Version = Version {
+    number: 5,
+    what: "the same in perspective",
+    projection: |size| in_perspective(75.0, size),
+    ..BLINN_PHONG
+};
 
-/// A cube of side 1 on the left and a sphere of radius 1 on the right, each so far from the middle, 2 before the eye, and a
-/// light at the eye.
+/// A cube of side 1 on the left and a sphere of radius 1 on the right, each so far from the middle, two units before the eye,
+/// and the light where the eye is.
+// ANCHOR: cube_and_sphere
 fn cube_and_sphere(sizes: &[[usize; 2]], [left, right]: [Color; 2], x: f32, shading: Shading) -> Scene {
     let cube = Levels::one(Mesh::new(&cube(), Paint::Color(left)));
     let sphere = spheres(sizes, &Paint::Color(right));
     Scene {
         entities: vec![at(cube, Vec3::new(-x, 0.0, 2.0)), at(sphere, Vec3::new(x, 0.0, 2.0))],
-        lights: vec![PointLight { position: ours(Vec3::ZERO, Vec3::ZERO).0, ..PointLight::default() }],
+        // Ambient 0.2, diffuse 0.4, specular 0.4.
+        lights: vec![PointLight { position: Vec3::ZERO, ..PointLight::default() }],
         background: Color::BLACK,
         style: Style { shading, filter: Filtering::Nearest, cull: Cull::None },
     }
 }
+// ANCHOR_END: cube_and_sphere
 
-/// The triangle between three colours.
+/// The triangle.
 fn triangle() -> Scene {
     let corners = [[-0.5, -0.5], [0.5, -0.5], [0.0, 0.5]];
     let vertex =
@@ -87,10 +100,10 @@ fn at(levels: Arc<Levels>, position: Vec3) -> Entity {
     Entity { position: ours(position, Vec3::ZERO).0, ..Entity::new(levels) }
 }
 
-/// Cube and sphere turn at constant speed.
+/// Cube and sphere turn about themselves at constant speed.
 fn turn(scene: &mut Scene, seconds: f64) {
+    let degrees = Vec3::new(turned(30.0, seconds), turned(50.0, seconds), 0.0);
     for entity in &mut scene.entities {
-        let degrees = Vec3::new(turned(30.0, seconds), turned(50.0, seconds), 0.0);
         entity.degrees = ours(Vec3::ZERO, degrees).1;
     }
 }
