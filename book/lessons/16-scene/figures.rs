@@ -1,13 +1,15 @@
 //! Chapter 16: a scene.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use clipping::clip::{ClipVertex, Polygon, clip};
 use clipping::Cull;
-use common::{Color, Image, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
+use common::{Attributes, Color, Image, Mat4, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
 use lighting::PointLight;
 use perspective::perspective;
-use scene::levels::spheres;
+use scene::head::{STAGES, Stage};
+use scene::levels::{Sizes, spheres};
 use scene::versions::orthographic;
 use scene::{
     Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Shape, Style, Target, VERSIONS, Version, orbit,
@@ -132,11 +134,8 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
 ];
 
-/// Latitudes and longitudes to choose from.
-pub(super) type Sizes = &'static [[usize; 2]];
-
 /// Those of a row of the lesson's table.
-pub(super) fn sizes(name: &str) -> anyhow::Result<Sizes> {
+pub(crate) fn sizes(name: &str) -> anyhow::Result<Sizes> {
     Ok(*method(METHODS, name)?)
 }
 
@@ -363,18 +362,21 @@ fn silhouettes() -> anyhow::Result<Drawing> {
     rows_of(&[["8x16", "32x64", "by-size"].into_iter().map(draw).collect::<anyhow::Result<Vec<Image>>>()?])
 }
 
+/// The head in one of its levels.
+pub(crate) fn stage_shape(stage: &Stage) -> anyhow::Result<Shape> {
+    let needs = Attributes { normals: true, uvs: true };
+    let model = Model::read(&Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets")).join(stage.file), needs)?;
+    Ok(Shape::of(&model, &gouraud::corner_normals(&model)))
+}
+
 fn heads() -> anyhow::Result<Drawing> {
-    const FILES: [&str; 6] = ["head-low", "head-1288", "head-2688", "head", "head-11488", "head-22688"];
     const SIZE: [u16; 2] = [144, 190];
-    let draw = |file: &str| {
-        let needs = common::Attributes { normals: true, uvs: true };
-        let model = common::Model::read(std::path::Path::new(&format!("assets/{file}.obj")), needs)?;
-        let shape = Shape::of(&model, &gouraud::corner_normals(&model));
-        let entity = Entity::new(Levels::one(Mesh::new(&shape, Paint::Color(Color::WHITE))));
+    let draw = |stage: &Stage| {
+        let entity = Entity::new(Levels::one(Mesh::new(&stage_shape(stage)?, Paint::Color(Color::WHITE))));
         let scene = before_dark(vec![entity], LIT);
         picture(&scene, perspective(45.0, aspect(SIZE), 0.1, 100.0)?, orbit(25.0, 8.0, 2.6), SIZE, true)
     };
-    rows_of(&[FILES.into_iter().map(draw).collect::<anyhow::Result<Vec<Image>>>()?])
+    rows_of(&[STAGES.iter().map(draw).collect::<anyhow::Result<Vec<Image>>>()?])
 }
 
 fn leaning() -> anyhow::Result<Drawing> {

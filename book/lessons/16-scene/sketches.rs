@@ -4,10 +4,10 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 
 use common::{Mat4, Vec2, Vec3};
 use scene::frustum::{Sphere, pixels_per_unit, sees};
-use scene::levels::error;
+use scene::levels::{Sizes, error};
 use scene::{Levels, METHODS, Paint, orbit, sphere};
 
-use super::figures::{Sizes, sizes};
+use super::figures::sizes;
 use crate::figures::Drawing;
 use crate::figures::sheet::{
     AMBER, BLACK, BLUE, FAINT, GREEN, GREY, Ink, MINT, ORANGE, PALE, PURPLE, ROSE, SKY, Sheet,

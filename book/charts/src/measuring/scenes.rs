@@ -3,13 +3,14 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use clipping::Cull;
 use common::file::write_whole;
 use common::{Color, Mat4, Vec2, Vec3};
-use clipping::Cull;
-use scene::head::{STAGES, head};
+use lighting::PointLight;
+use scene::frustum::pixels_per_unit;
+use scene::head::{STAGES, Stage};
 use scene::{
-    Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Style, Target, VERSIONS, Vertex, render_scene,
-    sphere,
+    Entity, Filtering, Levels, Mesh, Paint, Scene, Shading, Style, Target, VERSIONS, Vertex, orbit, render_scene, sphere,
 };
 use serde_json::json;
 use transforms::inverse::rigid;
@@ -19,7 +20,7 @@ use super::draw::{Line, Lines, lines_in_each_layout};
 use super::measure::Work;
 use super::table::{Point, read_points, series_of, write_points};
 use super::{Comparison, Pictures, Run, caption};
-use crate::lessons::scene::figures::Sizes;
+use crate::lessons::scene::figures::{sizes, stage_shape};
 
 /// The size in which the lesson's scenes are stated.
 const SIZE: [u16; 2] = [1024, 768];
@@ -46,9 +47,7 @@ const WITHOUT: [&str; 7] = ["nothing", "samples", "light", "filter", "culling", 
 fn frames() -> anyhow::Result<Vec<Work>> {
     let version = &VERSIONS[11];
     let frame = |without: &str| -> anyhow::Result<Work> {
-        let all = |name: &str| METHODS.iter().find(|method| method.name == name).map_or(METHODS[0].run, |m| m.run);
-        let sizes: Sizes = if without == "levels" { all("128x256") } else { all("by-size") };
-        let mut scene = (version.scene)(sizes)?;
+        let mut scene = (version.scene)(sizes(if without == "levels" { "128x256" } else { "by-size" })?)?;
         match without {
             "light" => scene.style.shading = Shading::Unlit,
             "filter" => scene.style.filter = Filtering::Nearest,
@@ -102,7 +101,7 @@ fn outside(share: usize) -> Vec<Work> {
         };
         let scene = Scene {
             entities: (0..THINGS).map(entity).collect(),
-            lights: vec![lighting::PointLight::default()],
+            lights: vec![PointLight::default()],
             background: Color::BLACK,
             style: Style { shading: Shading::BlinnPhong, filter: Filtering::Nearest, cull: Cull::Back },
         };
@@ -162,33 +161,87 @@ fn outside_chart(folder: &Path) -> anyhow::Result<Pictures> {
 
 /// The head in each of its levels, from near to far.
 pub(super) const HEADS: Comparison =
-    Comparison { name: "16-scene-heads", works: |distance| heads(distance), measure: head_levels, draw: heads_chart };
+    Comparison { name: "16-scene-heads", works: heads, measure: head_levels, draw: heads_chart };
 
 /// Of the eye from the head's middle.
 const DISTANCES: [usize; 4] = [2, 6, 20, 60];
 
-/// One sample in each level, and the one that is chosen.
+fn seen_from(distance: usize) -> anyhow::Result<[Mat4; 2]> {
+    let projection = perspective::perspective(45.0, 4.0 / 3.0, 0.1, 100.0)?;
+    Ok([projection, orbit(20.0, 5.0, distance as f32)])
+}
+
 fn heads(distance: usize) -> anyhow::Result<Vec<Work>> {
-    let levels = head(Paint::Color(Color::gray(0.8)))?;
-    let work = |levels: Arc<Levels>| {
+    let [projection, camera] = seen_from(distance)?;
+    let work = |stage: &Stage| {
+        let mesh = Mesh::new(&stage_shape(stage)?, Paint::Color(Color::gray(0.8)));
         let scene = Scene {
-            entities: vec![Entity::new(levels)],
-            lights: vec![lighting::PointLight::default()],
+            entities: vec![Entity::new(Levels::one(mesh))],
+            lights: vec![PointLight::default()],
             background: Color::BLACK,
             style: Style { shading: Shading::BlinnPhong, filter: Filtering::Nearest, cull: Cull::Back },
         };
-        let projection = perspective::perspective(45.0, 4.0 / 3.0, 0.1, 100.0).expect("a camera");
-        drawing(scene, false, projection, scene::orbit(20.0, 5.0, distance as f32))
+        Ok(drawing(scene, false, projection, camera))
     };
-    let _ = levels;
-    todo!()
+    STAGES.iter().map(work).collect()
 }
 
-fn head_levels(_: &mut Run) -> anyhow::Result<()> {
-    todo!()
+fn head_levels(run: &mut Run) -> anyhow::Result<()> {
+    let mut points = Vec::new();
+    for distance in DISTANCES {
+        let speeds = run.speeds(HEADS.name, distance, 0.25)?;
+        points.extend(STAGES.iter().zip(&speeds).map(|(stage, speed)| Point {
+            method: distance.to_string(),
+            at: stage.triangles.to_string(),
+            value: three_digits(1000.0 / speed.median()),
+        }));
+    }
+    write_points(&points, ["distance", "triangles", "ms"], &run.folder.join(HEADS.name).with_extension("csv"))?;
+    run.write_facts(HEADS.name, json!({ "size": SIZE }))
 }
 
-fn heads_chart(_: &Path) -> anyhow::Result<Pictures> {
-    let _ = STAGES;
-    todo!()
+fn heads_chart(folder: &Path) -> anyhow::Result<Pictures> {
+    let points = read_points(&folder.join(HEADS.name).with_extension("csv"))?;
+    let levels = scene::head::head(&Paint::Color(Color::WHITE))?;
+    let mut lines = Vec::new();
+    let mut title = String::new();
+    for (hue, distance) in DISTANCES.into_iter().enumerate() {
+        let [projection, camera] = seen_from(distance)?;
+        let to_clip = projection * rigid(&camera);
+        let pixels = pixels_per_unit(&to_clip, &Entity::new(Arc::clone(&levels)).bounds(), size());
+        let times = series_of(&distance.to_string(), &points);
+        // The time, and how many pixels the level is off at most.
+        let of_level = |(stage, (_, ms)): (&Stage, &(f64, f64))| (*ms, f64::from(stage.distance * pixels));
+        let line_points: Vec<(f64, f64)> = STAGES.iter().zip(&times).map(of_level).collect();
+        let chosen = line_points.iter().position(|point| point.1 <= 0.5);
+        if let (20, Some(n), Some(finest)) = (distance, chosen, times.last()) {
+            title = format!(
+                "From {distance} units away the head needs {} triangles, and takes {} ms, its finest level {}",
+                STAGES[n].triangles,
+                readable(times[n].1),
+                readable(finest.1)
+            );
+        }
+        lines.push(line(format!("{distance} units away"), hue, line_points, chosen));
+    }
+    let counts: Vec<String> = STAGES.iter().map(|stage| stage.triangles.to_string()).collect();
+    let chart = Lines {
+        name: HEADS.name,
+        title,
+        reading: "How far a level of the head is from its finest in the picture, at most, and how long it takes; the level \
+                  that is chosen is ringed."
+            .into(),
+        across: "ms a picture →".into(),
+        falling: false,
+        what: "largest distance from the finest head",
+        unit: "px",
+        limit: Some((0.5, "½ px")),
+        lines,
+        caption: vec![
+            format!("Dots from the left: {} triangles.", counts.join(", ")),
+            format!("Lesson 16, {}×{} px, one sample, lit at each pixel.", SIZE[0], SIZE[1]),
+            caption(folder, HEADS.name)?,
+        ],
+    };
+    lines_in_each_layout(&chart)
 }
