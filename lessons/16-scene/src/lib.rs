@@ -3,6 +3,7 @@
 pub mod entity;
 pub mod frustum;
 pub mod held;
+pub mod kept;
 pub mod keys;
 pub mod levels;
 pub mod mesh;

@@ -2,11 +2,11 @@
 
 use std::ops::AddAssign;
 
-use antialiasing::canvas::{Canvas, render};
+use antialiasing::canvas::{Canvas, render_with};
 use antialiasing::resolve;
-use blending::depth::DepthStage;
-use blending::translucent::faded;
-use blending::{Over, State, TwoShift};
+use blending::compare::Compare;
+use blending::translucent::{Translucent, faded};
+use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
 use common::{Image, Mat4, Vec2, Vec3};
 use filtering::filter::{Bilinear, Nearest, Trilinear};
@@ -14,9 +14,10 @@ use transforms::inverse::elimination;
 
 use crate::entity::Entity;
 use crate::frustum::{pixels_per_unit, sees};
+use crate::kept::Kept;
 use crate::mesh::{Mesh, Paint};
 use crate::scene::{Filtering, Scene, Shading};
-use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
+use crate::shader::{AtPixels, AtVertices, Base, Lamps, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
 use crate::wireframe::Wires;
 
@@ -58,7 +59,7 @@ struct View {
 /// there is no eye, and nothing but the background is seen.
 // ANCHOR: render_scene
 pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inverse_camera: &Mat4) -> Counts {
-    let Target { antialiased, wireframe, picture, single, many, queue, wires } = target;
+    let Target { antialiased, wireframe, picture, single, many, queue, kept, lamps, wires } = target;
     let to_clip = *projection * *inverse_camera;
     let camera = elimination(inverse_camera);
     let eye = camera.unwrap_or_default().w_axis.truncate();
@@ -68,12 +69,13 @@ pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inver
     if camera.is_some() {
         enqueue(scene, &view, inverse_camera, *wireframe, queue, &mut counts);
     }
+    lamps.set(&scene.lights);
     counts.triangles = if *wireframe {
         draw_wires(scene, &view, queue, *antialiased, wires, picture)
     } else if *antialiased {
-        draw(scene, &view, queue, canvas(many, picture), picture)
+        draw(scene, &view, queue, lamps, kept, canvas(many, picture), picture)
     } else {
-        draw(scene, &view, queue, canvas(single, picture), picture)
+        draw(scene, &view, queue, lamps, kept, canvas(single, picture), picture)
     };
     counts
 }
@@ -132,6 +134,8 @@ fn draw<C: Canvas<Stencil = ()>>(
     scene: &Scene,
     view: &View,
     queue: &[Queued],
+    lamps: &Lamps,
+    kept: &mut Kept,
     canvas: &mut C,
     picture: &mut Image,
 ) -> clipping::Counts {
@@ -141,15 +145,9 @@ fn draw<C: Canvas<Stencil = ()>>(
         let entity = &scene.entities[queued.entity];
         let Some(normals_to_world) = entity.normals_to_world() else { continue };
         let mesh = level(entity, view);
-        let placed = Placed {
-            mesh,
-            to_world: entity.to_world(),
-            normals_to_world,
-            eye: view.eye,
-            lights: &scene.lights,
-        };
+        let placed = Placed { mesh, to_world: entity.to_world(), normals_to_world, eye: view.eye, lamps };
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
-        counts += pass.draw(canvas);
+        counts += pass.draw(kept, canvas);
     }
     canvas.resolve(resolve, picture);
     counts
@@ -181,33 +179,38 @@ struct Pass<'a> {
 
 // ANCHOR: pass
 impl Pass<'_> {
-    fn draw<C: Canvas<Stencil = ()>>(&self, canvas: &mut C) -> clipping::Counts {
+    fn draw<C: Canvas<Stencil = ()>>(&self, kept: &mut Kept, canvas: &mut C) -> clipping::Counts {
         let mesh = self.placed.mesh;
         match mesh.paint() {
-            Paint::Color(color) => self.colored(*color, canvas),
-            Paint::Colors(colors) => self.colored(&colors[..], canvas),
+            Paint::Color(color) => self.colored(*color, kept, canvas),
+            Paint::Colors(colors) => self.colored(&colors[..], kept, canvas),
             Paint::Texture(texture) => {
                 let (uvs, size) = (mesh.uvs(), canvas.size());
                 match self.scene.style.filter {
                     Filtering::Nearest => {
-                        self.colored(Textured { texture, uvs, filter: Nearest, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Nearest, size }, kept, canvas)
                     }
                     Filtering::Bilinear => {
-                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, kept, canvas)
                     }
                     Filtering::Trilinear => {
-                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, canvas)
+                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, kept, canvas)
                     }
                 }
             }
         }
     }
 
-    fn colored<C: Canvas<Stencil = ()>>(&self, base: impl Base, canvas: &mut C) -> clipping::Counts {
+    fn colored<C: Canvas<Stencil = ()>>(
+        &self,
+        base: impl Base,
+        kept: &mut Kept,
+        canvas: &mut C,
+    ) -> clipping::Counts {
         match self.scene.style.shading {
-            Shading::Unlit => self.lit(base, (), canvas),
-            Shading::Phong => self.lit(base, AtVertices(self.placed), canvas),
-            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), canvas),
+            Shading::Unlit => self.lit(base, (), kept, canvas),
+            Shading::Phong => self.lit(base, AtVertices(self.placed), kept, canvas),
+            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), kept, canvas),
         }
     }
 
@@ -215,37 +218,25 @@ impl Pass<'_> {
         &self,
         base: impl Base,
         lighting: impl Lighting,
+        kept: &mut Kept,
         canvas: &mut C,
     ) -> clipping::Counts {
         let Placed { mesh, to_world, .. } = self.placed;
         let to_clip = self.view.to_clip * to_world;
-        let look = Look { mesh, to_clip, base, lighting, alpha: self.entity.alpha };
+        let look = Look { mesh, to_clip, base, lighting };
+        let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
+        if !self.transparent {
+            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
+        }
+        let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
         let state = State {
             scissor: (),
             stencil: (),
-            depth: Nearer { write: !self.transparent },
-            blend: self.transparent.then(Over::<TwoShift>::default),
+            depth: DepthTest { function: Compare::Less, write: false },
+            blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render(&look, mesh.assembled(), cull(self.scene, self.entity), state, canvas)
+        render_with(kept.of(), &shader, mesh, cull, state, canvas)
     }
 }
 // ANCHOR_END: pass
-
-/// What is nearer passes; whether its depth is kept is decided when the program runs.
-#[derive(Clone, Copy)]
-struct Nearer {
-    write: bool,
-}
-
-impl DepthStage for Nearer {
-    #[inline]
-    fn passes(self, depth: f32, kept: f32) -> bool {
-        depth < kept
-    }
-
-    #[inline]
-    fn writes(self) -> bool {
-        self.write
-    }
-}

@@ -5,11 +5,11 @@ use common::{Color, Mat3, Mat4, Vec2, Vec3, Vec4};
 use filtering::Texture;
 use filtering::filter::Filter;
 use filtering::footprint::{Asked, Gradients};
+use lighting::normalisation::Exact;
+use lighting::power::Squaring;
 use lighting::reflection::{Halfway, Mirrored, PointLit, Reflection};
 use lighting::{PointLight, Reflected};
 use shaders::shader::{Fragment, Shader, Varying};
-
-use blending::translucent::faded;
 
 use crate::mesh::Mesh;
 
@@ -18,7 +18,7 @@ pub trait Base {
     /// What is the same all over a triangle.
     type Constant: Copy;
     /// What is interpolated.
-    type Varying: Varying;
+    type Varying: Varying + 'static;
     /// Once a triangle, of which these are the vertices; `clip` tells where they are in clip space.
     fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Self::Constant;
     /// At a vertex.
@@ -102,6 +102,34 @@ impl<F: Filter> Base for Textured<'_, F> {
     }
 }
 
+/// Lights as a shader takes them: by Phong's model, or by Blinn's. Powers are by squaring, the same on every platform: an
+/// exponent is rounded to a whole one.
+#[derive(Default)]
+pub struct Lamps {
+    phong: Vec<PointLit<Mirrored, Exact, Squaring>>,
+    blinn: Vec<PointLit<Halfway, Exact, Squaring>>,
+}
+
+impl Lamps {
+    /// Makes them of these lights.
+    pub fn set(&mut self, lights: &[PointLight]) {
+        self.phong.clear();
+        self.phong.extend(lights.iter().map(PointLit::new));
+        self.blinn.clear();
+        self.blinn.extend(lights.iter().map(PointLit::new));
+    }
+}
+
+/// What all lights together make a point send to the eye.
+#[inline]
+fn reflected(lights: &[impl Reflection], point: Vec3, normal: Vec3, eye: Vec3) -> Reflected {
+    let dark = Reflected { body: 0.0, highlight: 0.0 };
+    lights.iter().fold(dark, |sum, light| {
+        let Reflected { body, highlight } = light.reflect(point, normal, eye);
+        Reflected { body: sum.body + body, highlight: sum.highlight + highlight }
+    })
+}
+
 /// A surface's place in the world, and what it is lit by.
 #[derive(Clone, Copy)]
 pub struct Placed<'a> {
@@ -114,7 +142,7 @@ pub struct Placed<'a> {
     /// The eye in the world.
     pub eye: Vec3,
     /// The lights.
-    pub lights: &'a [PointLight],
+    pub lamps: &'a Lamps,
 }
 
 impl Placed<'_> {
@@ -124,22 +152,12 @@ impl Placed<'_> {
         let normal = unit(self.normals_to_world * self.mesh.normals()[vertex]).unwrap_or_default();
         (self.to_world.transform_point3(self.mesh.positions()[vertex]), normal)
     }
-
-    /// What all lights together make a point send to the eye.
-    #[inline]
-    fn reflected<R: Reflection>(&self, point: Vec3, normal: Vec3) -> Reflected {
-        let dark = Reflected { body: 0.0, highlight: 0.0 };
-        self.lights.iter().fold(dark, |sum, light| {
-            let Reflected { body, highlight } = R::new(light).reflect(point, normal, self.eye);
-            Reflected { body: sum.body + body, highlight: sum.highlight + highlight }
-        })
-    }
 }
 
 /// How colours are lit.
 pub trait Lighting {
     /// What is interpolated.
-    type Varying: Varying;
+    type Varying: Varying + 'static;
     /// At a vertex.
     fn vertex(&self, vertex: usize) -> Self::Varying;
     /// What is seen of a colour at a pixel.
@@ -168,7 +186,7 @@ impl Lighting for AtVertices<'_> {
     #[inline]
     fn vertex(&self, vertex: usize) -> (f32, f32) {
         let (point, normal) = self.0.vertex(vertex);
-        let Reflected { body, highlight } = self.0.reflected::<PointLit<Mirrored>>(point, normal);
+        let Reflected { body, highlight } = reflected(&self.0.lamps.phong, point, normal, self.0.eye);
         (body, highlight)
     }
 
@@ -191,11 +209,11 @@ impl Lighting for AtPixels<'_> {
 
     #[inline]
     fn lit(&self, base: Color, (point, normal): (Vec3, Vec3)) -> Color {
-        self.0.reflected::<PointLit<Halfway>>(point, normal).color(base)
+        reflected(&self.0.lamps.blinn, point, normal, self.0.eye).color(base)
     }
 }
 
-/// The shader: colours, lit, and less alpha.
+/// The shader: colours, lit.
 pub struct Look<'a, B, L> {
     /// The mesh.
     pub mesh: &'a Mesh,
@@ -205,8 +223,6 @@ pub struct Look<'a, B, L> {
     pub base: B,
     /// How they are lit.
     pub lighting: L,
-    /// The entity's alpha.
-    pub alpha: f32,
 }
 
 // ANCHOR: look
@@ -232,11 +248,12 @@ impl<B: Base, L: Lighting> Shader for Look<'_, B, L> {
         (self.base.vertex(vertex), self.lighting.vertex(vertex))
     }
 
-    #[inline]
+    // A call would hand the fragment over in memory, written in parts and read as a whole, for which a processor must wait.
+    #[inline(always)]
     fn fragment(&self, constant: B::Constant, fragment: Fragment<Self::Varying>) -> Option<Color> {
         let Fragment { x, y, depth, varying: (base, lit) } = fragment;
         let base = self.base.color(constant, Fragment { x, y, depth, varying: base });
-        Some(faded(self.lighting.lit(base, lit), self.alpha))
+        Some(self.lighting.lit(base, lit))
     }
 }
 // ANCHOR_END: look

@@ -5,6 +5,8 @@ use antialiasing::multisampled::Multisampled;
 use antialiasing::storage::{Compressed, Samples};
 use common::{Format, Image};
 
+use crate::kept::Kept;
+use crate::shader::Lamps;
 use crate::wireframe::Wires;
 
 /// One sample a pixel.
@@ -31,6 +33,10 @@ pub struct Target {
     pub(crate) single: Option<Single>,
     pub(crate) many: Option<Many>,
     pub(crate) queue: Vec<Queued>,
+    /// Lists of vertices.
+    pub(crate) kept: Kept,
+    /// The lights, made ready for shaders.
+    pub(crate) lamps: Lamps,
     pub(crate) wires: Wires,
 }
 
@@ -45,6 +51,8 @@ impl Target {
             single: None,
             many: None,
             queue: Vec::new(),
+            kept: Kept::default(),
+            lamps: Lamps::default(),
             wires: Wires::default(),
         }
     }
