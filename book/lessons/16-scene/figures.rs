@@ -169,7 +169,7 @@ fn version(number: usize, seconds: f64, size: [u16; 2], wireframe: bool) -> anyh
     let camera = version.camera.map_or(Mat4::IDENTITY, |orbit| orbit.camera());
     let projection = (version.projection)(Vec2::new(size[0].into(), size[1].into()));
     let mut target = Target::new(size[0], size[1]);
-    target.antialiased = number >= 10;
+    target.antialiased = version.antialiasing;
     target.wireframe = wireframe;
     let inverse = rigid(&camera);
     render_scene(&scene, &mut target, &projection, &inverse);

@@ -83,7 +83,7 @@ const SHARES: [usize; 6] = [0, 10, 25, 50, 75, 100];
 const THINGS: usize = 400;
 
 /// The same spheres twice: with the balls that contain them, and with balls so large that each might be seen.
-const ASKED: [&str; 2] = ["asked for", "not asked for"];
+const ASKED: [&str; 2] = ["asked", "unasked"];
 
 fn outside(share: usize) -> Vec<Work> {
     let shape = sphere(16, 32);
@@ -150,7 +150,12 @@ fn outside_chart(folder: &Path) -> anyhow::Result<Pictures> {
         what: "time",
         unit: "ms",
         limit: None,
-        lines: ASKED.iter().enumerate().map(|(n, name)| line((*name).into(), n, of(name), None)).collect(),
+        lines: ["asked whether it is seen", "not asked"]
+            .into_iter()
+            .zip(ASKED)
+            .enumerate()
+            .map(|(hue, (name, way))| line(name.into(), hue, of(way), None))
+            .collect(),
         caption: vec![
             format!("Lesson 16, {}×{} px, one sample, lit at each pixel.", SIZE[0], SIZE[1]),
             caption(folder, OUTSIDE.name)?,
