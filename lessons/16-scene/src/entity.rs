@@ -6,7 +6,7 @@ use common::{Mat3, Mat4, Vec3};
 use transforms::affine::model;
 use transforms::normal_matrix;
 
-use crate::frustum::Sphere;
+use crate::frustum::{ROUNDING, Sphere};
 use crate::levels::Levels;
 
 /// A mesh, which others may share, and where it stands.
@@ -47,13 +47,19 @@ impl Entity {
         normal_matrix(&model(Vec3::ZERO, self.degrees, scale))
     }
 
-    /// A sphere in the world that it is within.
+    /// A sphere in the world that it is within, however its vertices are rounded: turns leave lengths alone, and the largest
+    /// scale along an axis is the largest there is.
+    // ANCHOR: bounds
     #[must_use]
     pub fn bounds(&self) -> Sphere {
-        let (center, radius) = self.levels.finest().bounds();
+        let (center, radius) = self.levels.bounds();
         let largest = self.scale.abs().max_element();
-        Sphere { center: self.to_world().transform_point3(center), radius: radius * largest }
+        let rounding =
+            ROUNDING * (self.position.abs().max_element() + 2.0 * largest * (center.length() + radius));
+        let center = self.to_world().transform_point3(center);
+        Sphere { center, radius: radius * largest + rounding }
     }
+    // ANCHOR_END: bounds
 
     /// Whether it is mirrored: its triangles run the other way round.
     #[must_use]

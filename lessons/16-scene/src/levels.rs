@@ -1,13 +1,22 @@
-//! A mesh in several resolutions, of which one is drawn that is just fine enough.
+//! A mesh in several resolutions, of which the coarsest is drawn that looks like the finest.
+//!
+//! What triangles stand for is nearer to them than some distance, in the model's units. [`pixels_per_unit`](crate::frustum)
+//! tells how many pixels that is at most; half a pixel is as good as nothing, since a pixel's centre is never farther from its
+//! border (J. Clark, *Hierarchical geometric models for visible surface algorithms*, Communications of the ACM 19, 1976, has the
+//! idea: details by the size on the screen). So the same few numbers choose a sphere's triangles and the head's.
+//!
+//! There is no memory in this: the same view has the same levels, whatever was seen before. Where a level changes with every
+//! frame to and fro, the picture changes less than by what moves it there: each of the two is within half a pixel of the surface.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
-use common::Method;
+use common::{Method, Vec3};
 
 use crate::mesh::{Mesh, Paint};
 use crate::shapes::sphere;
 
-/// The latitudes and longitudes of the spheres that there are to choose from.
+/// The latitudes and longitudes of the spheres that there are to choose from, from coarse to fine.
 pub type Sizes = &'static [[usize; 2]];
 
 /// The ways to choose how many triangles a sphere has.
@@ -15,32 +24,48 @@ pub const METHODS: &[Method<Sizes>] = &[
     Method {
         name: "8x16",
         run: &[[8, 16]],
-        promise: "224 triangles, always",
-        failure: "corners are seen from near",
+        promise: "224 triangles, wherever it stands; half a pixel off at a radius of 13 px",
+        failure: "corners are seen at any size that shows a sphere",
     },
     Method {
         name: "32x64",
         run: &[[32, 64]],
-        promise: "3,968 triangles, always",
-        failure: "corners are seen from very near",
+        promise: "3,968 triangles, wherever it stands; half a pixel off at a radius of 208 px",
+        failure: "corners from near; from afar several triangles to a pixel",
     },
     Method {
         name: "128x256",
         run: &[[128, 256]],
-        promise: "65,024 triangles, always",
-        failure: "most are smaller than a pixel",
+        promise: "65,024 triangles, wherever it stands; half a pixel off at a radius of 3,300 px",
+        failure: "hardly ever seen to be wrong, and always paid for: 65,024 triangles for a sphere of one pixel, too",
     },
     Method {
         name: "by-size",
-        run: &[[3, 6], [6, 12], [12, 24], [24, 48], [48, 96], [96, 192]],
-        promise: "as few triangles as half a pixel allows",
-        failure: "nothing known",
+        run: &[
+            [3, 6],
+            [4, 8],
+            [6, 12],
+            [8, 16],
+            [12, 24],
+            [16, 32],
+            [24, 48],
+            [32, 64],
+            [48, 96],
+            [64, 128],
+            [96, 192],
+            [128, 256],
+            [192, 384],
+            [256, 512],
+        ],
+        promise: "the fewest triangles in 14 steps, each about twice the last, that are half a pixel off at most",
+        failure: "where the eye is so near that a unit is more than 13,000 px; all steps are in memory, 15 MB",
     },
 ];
 
 /// A mesh in one or several resolutions, from coarse to fine.
 pub struct Levels {
     levels: Vec<(Mesh, f32)>,
+    bounds: (Vec3, f32),
 }
 
 impl Levels {
@@ -57,22 +82,38 @@ impl Levels {
     /// Where there is none.
     #[must_use]
     pub fn new(levels: Vec<(Mesh, f32)>) -> Arc<Self> {
-        assert!(!levels.is_empty(), "at least one level");
-        Arc::new(Self { levels })
+        let (center, _) = levels.last().expect("at least one level").0.bounds();
+        let positions = levels.iter().flat_map(|(mesh, _)| mesh.positions());
+        let farthest = positions.map(|p| p.as_dvec3().distance(center.as_dvec3())).fold(0.0, f64::max);
+        Arc::new(Self { levels, bounds: (center, (farthest as f32).next_up()) })
     }
 
     /// The coarsest that is nowhere farther than half a pixel from its surface, where a unit of the model is at most so many
     /// pixels; or else the finest.
+    // ANCHOR: choose
     #[must_use]
     pub fn choose(&self, pixels_per_unit: f32) -> &Mesh {
         let fine = self.levels.iter().find(|(_, error)| error * pixels_per_unit <= 0.5);
         fine.map_or(self.finest(), |(mesh, _)| mesh)
     }
+    // ANCHOR_END: choose
 
     /// The finest.
     #[must_use]
     pub fn finest(&self) -> &Mesh {
         &self.levels[self.levels.len() - 1].0
+    }
+
+    /// All of them with their distances, from coarse to fine.
+    #[must_use]
+    pub fn all(&self) -> &[(Mesh, f32)] {
+        &self.levels
+    }
+
+    /// The middle of a sphere that all of them are within, and that sphere's radius, in the model's space.
+    #[must_use]
+    pub fn bounds(&self) -> (Vec3, f32) {
+        self.bounds
     }
 }
 
@@ -83,14 +124,34 @@ impl Levels {
 #[must_use]
 pub fn spheres(sizes: &[[usize; 2]], paint: &Paint) -> Arc<Levels> {
     let level = |&[latitudes, longitudes]: &[usize; 2]| {
-        (Mesh::new(&sphere(latitudes, longitudes), paint.clone()), error(latitudes, longitudes) as f32)
+        let mesh = Mesh::new(&sphere(latitudes, longitudes), paint.clone());
+        // Corners are rounded to `f32`, which brings them up to 2⁻²⁴ times √3/2 off the sphere.
+        (mesh, error(latitudes, longitudes) as f32 + f32::EPSILON)
     };
     Levels::new(sizes.iter().map(level).collect())
 }
 
-/// How far a sphere's triangles are from the true one at most.
+/// How far the triangles of [`sphere`] are from the true one of radius 1, where they are farthest.
+///
+/// **Derivation.** Corners are on the sphere, so the triangles are inside of it, and farthest where they are nearest to its
+/// middle. The two triangles of a cell are in one plane, as the cell's upper and lower side are parallel, and a cell is its own
+/// mirror image: the nearest point is half-way between its columns. There, with a = π/longitudes, all corners' sides of a row are
+/// at cos a times their distance from the axis: the cut through the mesh is a polygon with its corners on the ellipse
+/// (cos a · sin θ, cos θ), at each θ of a row. With h = π/(2·latitudes) the side between θ = m − h and m + h is on the line
+/// (sin m/cos a)·x + cos m·y = cos h, since that is so of the circle's chord. Its distance from the middle is
+///
+/// ```text
+/// cos h / √(sin² m/cos² a + cos² m) = cos h / √(1 + sin² m · tan² a)
+/// ```
+///
+/// which is least for the belt next to the equator: for an odd number of latitudes it lies across, m = π/2, for an even one
+/// beside, sin m = cos h. The foot of the perpendicular is on that side, by symmetry in the first case and in the second as
+/// cos² a · cos 2h < 1 + cos 2h; so the distance is reached.
+// ANCHOR: error
 #[must_use]
 pub fn error(latitudes: usize, longitudes: usize) -> f64 {
-    use std::f64::consts::PI;
-    1.0 - libm::cos(PI / 2.0 / latitudes as f64) * libm::cos(PI / longitudes as f64)
+    let [h, a] = [PI / (2 * latitudes) as f64, PI / longitudes as f64];
+    let sin_m = if latitudes.is_multiple_of(2) { libm::cos(h) } else { 1.0 };
+    1.0 - libm::cos(h) / libm::hypot(1.0, sin_m * libm::tan(a))
 }
+// ANCHOR_END: error

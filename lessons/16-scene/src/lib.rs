@@ -2,6 +2,7 @@
 
 pub mod entity;
 pub mod frustum;
+pub mod head;
 pub mod held;
 pub mod kept;
 pub mod keys;

@@ -25,11 +25,14 @@
 //! | [`assignment`] | the left-handed pipeline of lesson 16's assignment, in `f64` |
 //! | [`layers`] | the transparent layers of a pixel, sorted, in `f64`, and each rounded in whole numbers |
 //! | [`cutout`] | a texture with alpha, filtered and laid over a colour, in `f64` |
+//! | [`outline`] | the outline of a sphere in a picture, an ellipse, in `f64` |
+//! | [`apart`] | how far apart two surfaces of triangles are, in `f64` |
 //! | [`picture`] | two pictures, fault by fault |
 //!
 //! Nothing in these calls a lesson, and the references compute nothing the way the lessons do. Pictures are
 //! compared by `common`, as under `--compare`.
 
+pub mod apart;
 pub mod area;
 pub mod assignment;
 pub mod box_filter;
@@ -43,6 +46,7 @@ pub mod fragment;
 pub mod lamp;
 pub mod layers;
 pub mod matrix;
+pub mod outline;
 pub mod picture;
 pub mod ray;
 pub mod samples;

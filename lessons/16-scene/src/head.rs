@@ -1,0 +1,48 @@
+//! The head in levels.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use common::{Attributes, Model};
+use gouraud::corner_normals;
+
+use crate::levels::Levels;
+use crate::mesh::{Mesh, Paint};
+use crate::shapes::Shape;
+
+/// The head in so many triangles, a file among the assets.
+pub struct Stage {
+    /// The file's name.
+    pub file: &'static str,
+    /// How many triangles it has.
+    pub triangles: usize,
+    /// No point of it is farther than this from the finest, and no point of that from it, in the model's units: the head is
+    /// 2 units high. Measured to a tenth of it, and that tenth added. Of the finest itself it is 0.
+    pub distance: f32,
+}
+
+/// The levels of the head, each of about twice the triangles of the last.
+// ANCHOR: stages
+pub const STAGES: &[Stage] = &[
+    Stage { file: "head-low.obj", triangles: 638, distance: 0.096 },
+    Stage { file: "head-1288.obj", triangles: 1288, distance: 0.053 },
+    Stage { file: "head-2688.obj", triangles: 2688, distance: 0.023 },
+    Stage { file: "head.obj", triangles: 5888, distance: 0.009 },
+    Stage { file: "head-11488.obj", triangles: 11_488, distance: 0.0056 },
+    Stage { file: "head-22688.obj", triangles: 22_688, distance: 0.0 },
+];
+// ANCHOR_END: stages
+
+/// The head, in all its levels.
+///
+/// # Errors
+/// Where a file cannot be read.
+pub fn head(paint: &Paint) -> anyhow::Result<Arc<Levels>> {
+    let assets = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets"));
+    let level = |stage: &Stage| {
+        let model = Model::read(&assets.join(stage.file), Attributes { normals: true, uvs: true })?;
+        let shape = Shape::of(&model, &corner_normals(&model));
+        Ok((Mesh::new(&shape, paint.clone()), stage.distance))
+    };
+    Ok(Levels::new(STAGES.iter().map(level).collect::<anyhow::Result<_>>()?))
+}
