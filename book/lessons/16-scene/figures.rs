@@ -105,14 +105,13 @@ pub(crate) const FIGURES: &[Figure] = &[
     ),
     Figure::new(
         "scene-levels",
-        "Error in pixels against distance, both logarithmic. Three slanted lines, one below the other, and a saw whose teeth all \
-         end just below a dashed line at half a pixel.",
+        "Error in pixels against distance, both logarithmic. Three slanted lines, one below the other, and a saw whose teeth \
+         stay below a dashed line at half a pixel.",
         levels,
     ),
     Figure::new(
         "scene-heads",
-        "A head in wireframe, in several levels from few triangles to many, each large, and below each the same as small as it \
-         is used.",
+        "A head in wireframe, six times, from few triangles to so many that no gap between the lines is left.",
         heads,
     ),
     Figure::new(
@@ -370,13 +369,15 @@ pub(crate) fn stage_shape(stage: &Stage) -> anyhow::Result<Shape> {
 }
 
 fn heads() -> anyhow::Result<Drawing> {
-    const SIZE: [u16; 2] = [144, 190];
+    const SIZE: [u16; 2] = [THIRD, 330];
     let draw = |stage: &Stage| {
-        let entity = Entity::new(Levels::one(Mesh::new(&stage_shape(stage)?, Paint::Color(Color::WHITE))));
-        let scene = before_dark(vec![entity], LIT);
+        let mesh = Mesh::new(&stage_shape(stage)?, Paint::Color(Color::rgb(0xf2, 0xc1, 0x4e)));
+        // Where lines lie close, one sees that they are many.
+        let scene = before_dark(vec![Entity { alpha: 0.45, ..Entity::new(Levels::one(mesh)) }], LIT);
         picture(&scene, perspective(45.0, aspect(SIZE), 0.1, 100.0)?, orbit(25.0, 8.0, 2.6), SIZE, true)
     };
-    rows_of(&[STAGES.iter().map(draw).collect::<anyhow::Result<Vec<Image>>>()?])
+    let all = STAGES.iter().map(draw).collect::<anyhow::Result<Vec<Image>>>()?;
+    rows_of(&all.chunks(3).map(<[Image]>::to_vec).collect::<Vec<_>>())
 }
 
 fn leaning() -> anyhow::Result<Drawing> {

@@ -206,25 +206,26 @@ pub(super) fn off(levels: &Levels, sizes: Sizes, distance: f32) -> anyhow::Resul
 
 pub(super) fn levels() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((-2.6, -2.3), (21.8, 13.0));
-    // Distances from 1.1 to 100, errors from 0.01 to 100 pixels.
-    let across = |distance: f32| (distance / 1.1).log10() * 20.0 / (100.0_f32 / 1.1).log10();
+    // Distances up to 100, errors from 0.01 to 100 pixels.
+    const NEAREST: f32 = 1.3;
+    let across = |distance: f32| (distance / NEAREST).log10() * 20.0 / (100.0 / NEAREST).log10();
     let up = |pixels: f32| (pixels.log10() + 2.0) * 3.0;
     let at = |distance: f32, pixels: f32| Vec2::new(across(distance), up(pixels));
     for pixels in [0.01, 0.1, 1.0, 10.0, 100.0] {
-        sheet.line(at(1.1, pixels), at(100.0, pixels), FAINT, 1.0);
-        sheet.text_left_of(at(1.1, pixels) - Vec2::new(0.3, 0.0), &pixels.to_string(), BLACK);
+        sheet.line(at(NEAREST, pixels), at(100.0, pixels), FAINT, 1.0);
+        sheet.text_left_of(at(NEAREST, pixels) - Vec2::new(0.3, 0.0), &pixels.to_string(), BLACK);
     }
     for distance in [2.0, 5.0, 10.0, 20.0, 50.0, 100.0] {
         sheet.line(at(distance, 0.01), at(distance, 100.0), FAINT, 1.0);
         sheet.text(at(distance, 0.01) - Vec2::new(0.0, 0.7), &distance.to_string(), BLACK);
     }
-    sheet.dashed(at(1.1, 0.5), at(100.0, 0.5), BLACK, 1.8);
+    sheet.dashed(at(NEAREST, 0.5), at(100.0, 0.5), BLACK, 1.8);
     let inks: [(Ink, f32); 4] = [(PURPLE, 2.0), (GREEN, 2.0), (ORANGE, 2.0), (BLUE, 3.0)];
     for (row, (ink, width)) in METHODS.iter().zip(inks) {
         let levels = scene::levels::spheres(row.run, &Paint::Color(common::Color::WHITE));
         let mut points = Vec::new();
-        for n in 0..=400 {
-            let distance = 1.1 * (100.0_f32 / 1.1).powf(n as f32 / 400.0);
+        for n in 0..=1200 {
+            let distance = NEAREST * (100.0 / NEAREST).powf(n as f32 / 1200.0);
             points.push(at(distance, off(&levels, sizes(row.name)?, distance)?.clamp(0.01, 100.0)));
         }
         // Where it leaves the sheet it lies along the border.
@@ -232,11 +233,11 @@ pub(super) fn levels() -> anyhow::Result<Drawing> {
         sheet.polyline(points, ink, width);
     }
     sheet.text(at(3.2, 30.0), "8x16", PURPLE);
-    sheet.text(at(2.0, 3.3), "32x64", GREEN);
-    sheet.text(at(1.75, 0.075), "128x256", ORANGE);
-    sheet.text(at(8.0, 0.16), "by-size", BLUE);
+    sheet.text(at(2.3, 2.4), "32x64", GREEN);
+    sheet.text(at(2.6, 0.027), "128x256", ORANGE);
+    sheet.text(at(15.0, 0.115), "by-size", BLUE);
     sheet.text_left_of(at(96.0, 0.72), "½ px", BLACK);
-    sheet.text_right_of(at(1.15, 100.0) + Vec2::new(0.0, 0.55), "pixels", GREY);
+    sheet.text_right_of(at(NEAREST, 100.0) + Vec2::new(0.0, 0.55), "pixels", GREY);
     sheet.text(Vec2::new(10.0, -1.9), "distance", GREY);
     sheet.finish()
 }
