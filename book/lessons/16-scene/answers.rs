@@ -171,21 +171,3 @@ fn what_is_left_after_a_second() {
     close((-1.0_f64).exp(), 0.3679, 0.000_05);
     close(1000.0 / 60.0, 16.7, 0.05);
 }
-
-// TEMPORARY
-#[test]
-fn tmp_draw() {
-    let wanted = std::env::var("FIG").unwrap_or_default();
-    std::fs::create_dir_all("/tmp/fig16").unwrap();
-    std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
-    for figure in super::figures::FIGURES.iter().filter(|f| wanted.split(',').any(|w| f.name.contains(w))) {
-        match (figure.draw)() {
-            Ok(drawing) => {
-                let d = crate::figures::Drawn { figure, drawing };
-                println!("{} {:?}", figure.name, d.drawing.size());
-                crate::figures::write(&[d], std::path::Path::new("/tmp/fig16")).unwrap();
-            }
-            Err(e) => println!("{}: {e:#}", figure.name),
-        }
-    }
-}
