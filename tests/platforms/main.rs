@@ -24,6 +24,9 @@ const MORE: &[(&str, &[&str])] = &[
     ("--depth", &["--model", CUBE, "--depth", "depth.png"]),
     ("--light", &["--model", CUBE, "--light", "1,2,3"]),
     ("--turntable", &["--model", CUBE, "--turntable", "5", "--size", "100x100"]),
+    ("--version", &["--version", "4", "--time", "1.5", "--size", "120x100"]),
+    ("--version", &["--version", "8", "--time", "1.5", "--size", "120x100", "--keys", "F1"]),
+    ("--version", &["--version", "9", "--turntable", "5", "--size", "120x100", "--keys", "Up W*3"]),
 ];
 
 /// What each method draws, where a lesson draws models.
@@ -53,7 +56,7 @@ fn every_program_draws_the_same_elsewhere() {
     println!("{} runs draw the same", results.into_iter().flatten().sum::<usize>());
 }
 
-/// The command lines to try: none, each method, and what other flags there are.
+/// The command lines to try: the lesson's own picture, each method, and what other flags there are.
 fn cases(lesson: &str) -> Vec<Vec<String>> {
     let ask =
         |flag| String::from_utf8(run(lesson, Path::new("."), &[flag]).stdout).expect("programs print UTF-8");
@@ -62,7 +65,9 @@ fn cases(lesson: &str) -> Vec<Vec<String>> {
         let has = |flag: &str| help.split_whitespace().any(|word| word == flag);
         flags
             .iter()
-            .filter(|(flag, _)| has(flag))
+            .filter(|(flag, arguments)| {
+                has(flag) && arguments.iter().all(|word| !word.starts_with("--") || has(word))
+            })
             .map(|(_, arguments)| arguments.to_vec())
             .collect::<Vec<_>>()
     };
@@ -72,7 +77,10 @@ fn cases(lesson: &str) -> Vec<Vec<String>> {
         .map(|name| [vec!["--method", name, "--size", "240x200"], known(EVERY_METHOD).concat()].concat())
         .collect();
     assert!(!methods.is_empty(), "{lesson} --list names no method");
-    let all = [vec![vec![]], methods, known(MORE)].concat();
+    // A file is named each time: a program may else open a window.
+    let others = [methods, known(MORE)].concat().into_iter();
+    let others = others.map(|case| [case, vec!["--out", "picture.png"]].concat()).collect();
+    let all = [vec![vec!["--out", "picture.tga"]], others].concat();
     all.into_iter().map(|case| case.into_iter().map(String::from).collect()).collect()
 }
 

@@ -77,17 +77,23 @@ impl<H: Highlight, N: Normalisation, P: Power> Reflection for PointLit<H, N, P> 
 
     #[inline]
     fn reflect(&self, point: Vec3, normal: Vec3, eye: Vec3) -> Reflected {
+        self.reflect_to(point, N::normal(normal), || N::direction(eye - point))
+    }
+}
+
+impl<H: Highlight, N: Normalisation, P: Power> PointLit<H, N, P> {
+    /// The same from the unit vectors n and v, which several lights have in common; v is asked for where there is light.
+    #[inline]
+    pub fn reflect_to(&self, point: Vec3, n: Vec3, v: impl FnOnce() -> Vec3) -> Reflected {
         let PointLight { position, ambient, diffuse, specular, falloff, .. } = self.light;
-        let n = N::normal(normal);
         let to_light = position - point;
         let l = N::direction(to_light);
         let n_dot_l = n.dot(l);
         if n_dot_l <= 0.0 {
             return Reflected { body: ambient, highlight: 0.0 };
         }
-        let v = N::direction(eye - point);
         // Rounding may bring a cosine above 1, which the power would make much of.
-        let cosine = H::cosine::<N>(n, l, v, n_dot_l).clamp(0.0, 1.0);
+        let cosine = H::cosine::<N>(n, l, v(), n_dot_l).clamp(0.0, 1.0);
         let arriving = falloff.share(to_light.length_squared());
         Reflected {
             body: ambient + diffuse * arriving * n_dot_l,

@@ -73,3 +73,53 @@ impl Entity {
         self.alpha >= 1.0 && self.levels.finest().is_opaque()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+    use crate::mesh::{Mesh, Paint};
+    use crate::shapes::sphere;
+
+    fn placed(scale: Vec3) -> Entity {
+        let sphere = Levels::one(Mesh::new(&sphere(7, 9), Paint::Color(Color::RED)));
+        let (position, degrees) = (Vec3::new(3.0, -20.0, 0.7), Vec3::new(25.0, -70.0, 130.0));
+        Entity { position, degrees, scale, ..Entity::new(sphere) }
+    }
+
+    /// Whatever the scale, normals point out of the surface and stand upright on it: on a side of a triangle in the plane that
+    /// touches the sphere, as it is placed.
+    #[test]
+    fn normals_stay_upright_and_point_outwards() {
+        for scale in [[1.0, 1.0, 1.0], [2.0, 0.1, 5.0], [-1.0, 2.0, 3.0], [-1.0, -2.0, -0.3]] {
+            for size in [1.0, 1e-15, 1e15] {
+                let entity = placed(Vec3::from(scale) * size);
+                let turns = entity.normals_to_world().unwrap();
+                let to_world = entity.to_world();
+                let side = |v: Vec3| (to_world.transform_vector3(v / size)).as_dvec3();
+                for vertex in sphere(7, 9).vertices {
+                    let normal = (turns * vertex.normal).as_dvec3().normalize();
+                    let along = vertex.normal.any_orthonormal_pair();
+                    for tangent in [along.0, along.1].map(|v| side(v).normalize()) {
+                        assert!(normal.dot(tangent).abs() < 1e-5, "{scale:?} {size}");
+                    }
+                    assert!(normal.dot(side(vertex.position)) > 0.0, "{scale:?} {size}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_scale_of_0_flattens_and_an_odd_number_of_negative_ones_mirrors() {
+        for scale in [[0.0, 1.0, 1.0], [1.0, -0.0, 3.0], [0.0; 3], [f32::NAN, 1.0, 1.0]] {
+            assert_eq!(placed(scale.into()).normals_to_world(), None, "{scale:?}");
+        }
+        for (scale, mirrored) in
+            [([1.0, 2.0, 3.0], false), ([-1.0, 2.0, 3.0], true), ([-1.0, -2.0, 3.0], false)]
+        {
+            assert_eq!(placed(scale.into()).is_mirrored(), mirrored, "{scale:?}");
+        }
+        assert!(placed(Vec3::splat(-2.0)).is_mirrored());
+    }
+}

@@ -6,6 +6,7 @@ pub mod head;
 pub mod held;
 pub mod kept;
 pub mod keys;
+pub mod lamps;
 pub mod levels;
 pub mod mesh;
 pub mod orbit;

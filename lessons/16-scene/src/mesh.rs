@@ -181,3 +181,67 @@ fn bounding_sphere(shape: &Shape) -> (Vec3, f32) {
     let farthest = positions().map(|p| p.as_dvec3().distance(center.as_dvec3())).fold(0.0, f64::max);
     (center, (farthest as f32).next_up())
 }
+
+#[cfg(test)]
+mod tests {
+    use common::{Format, Image};
+    use filtering::Wrap;
+    use filtering::light::SRGB;
+
+    use super::*;
+    use crate::shapes::{Vertex, cube};
+
+    fn shape(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Shape {
+        let vertex =
+            |&position: &[f32; 3]| Vertex { position: position.into(), normal: Vec3::Z, uv: Vec2::ZERO };
+        Shape { vertices: positions.iter().map(vertex).collect(), triangles: triangles.to_vec() }
+    }
+
+    #[test]
+    fn a_vertex_that_no_triangle_has_is_not_computed() {
+        let four = [[9.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let mesh = Mesh::new(&shape(&four, &[[3, 1, 2]]), Paint::Color(Color::RED));
+        assert_eq!((mesh.assembled().vertices.len(), mesh.triangles()), (3, 1));
+        assert_eq!([0, 1, 2].map(|corner| mesh.vertex(0, corner)), [3, 1, 2]);
+        let empty = Mesh::new(&shape(&[], &[]), Paint::Colors(Vec::new()));
+        assert_eq!((empty.triangles(), empty.bounds()), (0, (Vec3::ZERO, 0.0)));
+    }
+
+    #[test]
+    fn every_vertex_is_within_the_bounding_sphere() {
+        let positions = [[1.0, 2.0, 3.0], [-0.1, 7.0, 0.3], [4.0, -1.0, 1e-3], [0.7, 0.7, -2.9]];
+        let (center, radius) = Mesh::new(&shape(&positions, &[[0, 1, 2]]), Paint::Color(Color::RED)).bounds();
+        let far = |p: &[f32; 3]| Vec3::from(*p).as_dvec3().distance(center.as_dvec3());
+        assert!(positions.iter().all(|p| far(p) <= radius.into()));
+        let (center, radius) = Mesh::new(&cube(), Paint::Color(Color::RED)).bounds();
+        assert!(center == Vec3::ZERO && (radius - 0.75_f32.sqrt()).abs() < 1e-6);
+    }
+
+    #[test]
+    fn one_colour_or_texel_that_is_seen_through_is_enough() {
+        let glass = Color { a: 254, ..Color::RED };
+        let mut image = Image::new(2, 2, Format::Rgba);
+        image.set_all(|n| [Color::RED, Color::RED, Color::RED, glass][n]);
+        let texture = |image: &Image| Paint::Texture(Arc::new(Texture::new(image, Wrap::Clamp, &SRGB)));
+        let colors = |last| Paint::Colors((0..24).map(|n| if n < 23 { Color::RED } else { last }).collect());
+        let see_through = [Paint::Color(glass), colors(glass), texture(&image)];
+        image.set(1, 1, Color::RED);
+        let opaque = [Paint::Color(Color::RED), colors(Color::RED), texture(&image)];
+        let are_opaque = |paints: [Paint; 3]| paints.map(|paint| Mesh::new(&cube(), paint).is_opaque());
+        assert_eq!((are_opaque(see_through), are_opaque(opaque)), ([false; 3], [true; 3]));
+    }
+
+    #[test]
+    fn the_mean_is_rounded() {
+        let colors = [Color::rgb(1, 2, 30), Color::rgb(2, 2, 0), Color { a: 0, ..Color::rgb(2, 4, 1) }];
+        let triangle = shape(&[[0.0; 3]; 3], &[[0, 1, 2]]);
+        let mean = Mesh::new(&triangle, Paint::Colors(colors.to_vec())).mean();
+        assert_eq!(mean, Color { r: 2, g: 3, b: 10, a: 170 });
+    }
+
+    #[test]
+    #[should_panic(expected = "a colour for each vertex")]
+    fn colours_are_as_many_as_vertices() {
+        let _ = Mesh::new(&cube(), Paint::Colors(vec![Color::RED; 8]));
+    }
+}

@@ -15,9 +15,10 @@ use transforms::inverse::elimination;
 use crate::entity::Entity;
 use crate::frustum::{pixels_per_unit, sees};
 use crate::kept::Kept;
+use crate::lamps::Lamps;
 use crate::mesh::{Mesh, Paint};
 use crate::scene::{Filtering, Scene, Shading};
-use crate::shader::{AtPixels, AtVertices, Base, Lamps, Lighting, Look, Placed, Textured};
+use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
 use crate::wireframe::Wires;
 
@@ -240,3 +241,156 @@ impl Pass<'_> {
     }
 }
 // ANCHOR_END: pass
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use common::Color;
+    use lighting::PointLight;
+
+    use super::*;
+    use crate::levels::Levels;
+    use crate::scene::Style;
+    use crate::shapes::{cube, sphere};
+    use crate::versions::in_perspective;
+
+    const BACKGROUND: Color = Color::rgb(10, 20, 30);
+
+    fn scene(entities: Vec<Entity>, shading: Shading) -> Scene {
+        let style = Style { shading, filter: Filtering::Nearest, cull: Cull::Back };
+        let lights = vec![PointLight { position: Vec3::new(1.0, 2.0, 3.0), ..PointLight::default() }];
+        Scene { entities, lights, background: BACKGROUND, style }
+    }
+
+    fn painted(color: Color) -> Arc<Levels> {
+        Levels::one(Mesh::new(&cube(), Paint::Color(color)))
+    }
+
+    /// A cube straight ahead, so far away.
+    fn ahead(color: Color, distance: f32) -> Entity {
+        Entity { position: Vec3::new(0.0, 0.0, -distance), ..Entity::new(painted(color)) }
+    }
+
+    /// What an eye at the origin sees, which looks along −z.
+    fn drawn(scene: &Scene, target: &mut Target) -> Counts {
+        let projection = in_perspective(60.0, target.picture().size());
+        render_scene(scene, target, &projection, &Mat4::IDENTITY)
+    }
+
+    /// The middle of a picture, smooth and not, which must agree.
+    fn middle(scene: &Scene) -> Color {
+        let mut target = Target::new(9, 9);
+        drawn(scene, &mut target);
+        let rough = target.picture().get(4, 4);
+        target.antialiased = true;
+        drawn(scene, &mut target);
+        assert_eq!(target.picture().get(4, 4), rough);
+        rough.unwrap()
+    }
+
+    fn all(target: &Target, color: Color) -> bool {
+        target.picture().pixels().all(|pixel| pixel.2 == color)
+    }
+
+    #[test]
+    fn nothing_to_be_drawn_leaves_the_background_and_no_light_black() {
+        let mut target = Target::new(1, 1);
+        for (antialiased, wireframe) in [(false, false), (true, false), (false, true), (true, true)] {
+            (target.antialiased, target.wireframe) = (antialiased, wireframe);
+            assert_eq!(drawn(&scene(vec![], Shading::Phong), &mut target), Counts::default());
+            assert!(all(&target, BACKGROUND));
+        }
+        for shading in [Shading::Phong, Shading::BlinnPhong] {
+            let dark = Scene { lights: vec![], ..scene(vec![ahead(Color::WHITE, 2.0)], shading) };
+            assert_eq!(middle(&dark), Color::BLACK);
+        }
+    }
+
+    /// The assignment's own example, (0, 200, 0, 255) at half alpha: 127 of 255 of it are seen.
+    #[test]
+    fn what_one_sees_through_is_laid_over_what_is_behind_whatever_was_added_first() {
+        let green = Entity { alpha: 0.5, ..ahead(Color::rgb(0, 200, 0), 2.0) };
+        let red = Entity { alpha: 0.25, ..ahead(Color::RED, 4.0) };
+        let blue = ahead(Color::rgb(0, 0, 255), 6.0);
+        let over = |top: Color, alpha: f32, below: Color| {
+            let share = (255.0 * alpha).floor() / 255.0;
+            let mix = |a: u8, b: u8| (f32::from(a) * share + f32::from(b) * (1.0 - share)).round() as u8;
+            Color::rgb(mix(top.r, below.r), mix(top.g, below.g), mix(top.b, below.b))
+        };
+        let behind = over(Color::RED, 0.25, Color::rgb(0, 0, 255));
+        let expected = over(Color::rgb(0, 200, 0), 0.5, behind);
+        let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+        for order in orders {
+            let entities = order.map(|n| [&green, &red, &blue][n].clone()).to_vec();
+            assert_eq!(middle(&scene(entities, Shading::Unlit)), expected, "{order:?}");
+        }
+        let gone = Entity { alpha: 0.0, ..green };
+        assert_eq!(middle(&scene(vec![gone, blue], Shading::Unlit)), Color::rgb(0, 0, 255));
+    }
+
+    #[test]
+    fn what_is_flat_is_not_drawn_and_counted() {
+        let flat = Entity { scale: Vec3::new(1.0, 1.0, 0.0), ..ahead(Color::RED, 2.0) };
+        let mut target = Target::new(8, 6);
+        let counts = drawn(&scene(vec![flat, ahead(Color::GREEN, 3.0)], Shading::Unlit), &mut target);
+        assert_eq!((counts.flattened, counts.triangles.vertices), (1, 24));
+        assert_eq!(target.picture().get(4, 3), Some(Color::GREEN));
+    }
+
+    /// A sphere is its own mirror image, so it looks the same mirrored along any number of its axes: the same side is culled,
+    /// and the same side is lit.
+    #[test]
+    fn a_mirrored_sphere_is_culled_and_lit_as_it_was() {
+        let mesh = Levels::one(Mesh::new(&sphere(64, 128), Paint::Color(Color::WHITE)));
+        let placed = |scale: [f32; 3]| Entity {
+            levels: mesh.clone(),
+            scale: scale.into(),
+            ..ahead(Color::WHITE, 4.0)
+        };
+        for shading in [Shading::Phong, Shading::BlinnPhong] {
+            let mut expected = Target::new(48, 36);
+            drawn(&scene(vec![placed([1.0; 3])], shading), &mut expected);
+            for scale in [[-1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, -1.0, -1.0], [-1.0; 3]] {
+                let mut mirrored = Target::new(48, 36);
+                drawn(&scene(vec![placed(scale)], shading), &mut mirrored);
+                let pixels = expected.picture().pixels().zip(mirrored.picture().pixels());
+                let far = pixels.filter(|(a, b)| {
+                    // Diagonals run the other way, and so do roundings.
+                    let [a, b] = [a.2, b.2].map(|color| [color.r, color.g, color.b]);
+                    (0..3).any(|n| a[n].abs_diff(b[n]) > 2)
+                });
+                assert!(far.count() <= 4, "{shading:?} {scale:?}");
+            }
+        }
+    }
+
+    /// Within a cube one sees its far sides from inside, if these are not culled, and nothing of one behind the eye.
+    #[test]
+    fn the_eye_may_be_inside() {
+        let mut target = Target::new(20, 20);
+        let around = Entity { scale: Vec3::splat(3.0), ..ahead(Color::RED, 0.0) };
+        for (cull, color) in [(Cull::None, Color::RED), (Cull::Front, Color::RED), (Cull::Back, BACKGROUND)] {
+            let mut scene = scene(vec![around.clone(), ahead(Color::GREEN, -2.0)], Shading::Unlit);
+            scene.style.cull = cull;
+            drawn(&scene, &mut target);
+            assert!(all(&target, color), "{cull:?}");
+            // Mirrored, the other side of each triangle is its inside.
+            scene.entities[0].scale.x = -3.0;
+            drawn(&scene, &mut target);
+            assert!(all(&target, color), "{cull:?}");
+        }
+    }
+
+    /// A matrix that flattens the world is no camera's.
+    #[test]
+    fn without_a_camera_nothing_is_seen() {
+        let mut target = Target::new(5, 4);
+        let flat = Mat4::from_diagonal(Vec3::new(1.0, 0.0, 1.0).extend(1.0));
+        for inverse_camera in [flat, Mat4::ZERO, Mat4::NAN] {
+            let scene = scene(vec![ahead(Color::RED, 2.0)], Shading::Unlit);
+            render_scene(&scene, &mut target, &in_perspective(60.0, Vec2::new(5.0, 4.0)), &inverse_camera);
+            assert!(all(&target, BACKGROUND));
+        }
+    }
+}

@@ -5,12 +5,10 @@ use common::{Color, Mat3, Mat4, Vec2, Vec3, Vec4};
 use filtering::Texture;
 use filtering::filter::Filter;
 use filtering::footprint::{Asked, Gradients};
-use lighting::normalisation::Exact;
-use lighting::power::Squaring;
-use lighting::reflection::{Halfway, Mirrored, PointLit, Reflection};
-use lighting::{PointLight, Reflected};
+use lighting::Reflected;
 use shaders::shader::{Fragment, Shader, Varying};
 
+use crate::lamps::Lamps;
 use crate::mesh::Mesh;
 
 /// Where colours come from.
@@ -95,39 +93,11 @@ impl<F: Filter> Base for Textured<'_, F> {
         self.uvs[vertex]
     }
 
-    #[inline]
+    #[inline(always)]
     fn color(&self, constant: Self::Constant, fragment: Fragment<Vec2>) -> Color {
         let Fragment { x, y, varying: uv, .. } = fragment;
         self.filter.color(self.texture, uv, F::Footprint::at(constant, x, y, uv))
     }
-}
-
-/// Lights as a shader takes them: by Phong's model, or by Blinn's. Powers are by squaring, the same on every platform: an
-/// exponent is rounded to a whole one.
-#[derive(Default)]
-pub struct Lamps {
-    phong: Vec<PointLit<Mirrored, Exact, Squaring>>,
-    blinn: Vec<PointLit<Halfway, Exact, Squaring>>,
-}
-
-impl Lamps {
-    /// Makes them of these lights.
-    pub fn set(&mut self, lights: &[PointLight]) {
-        self.phong.clear();
-        self.phong.extend(lights.iter().map(PointLit::new));
-        self.blinn.clear();
-        self.blinn.extend(lights.iter().map(PointLit::new));
-    }
-}
-
-/// What all lights together make a point send to the eye.
-#[inline]
-fn reflected(lights: &[impl Reflection], point: Vec3, normal: Vec3, eye: Vec3) -> Reflected {
-    let dark = Reflected { body: 0.0, highlight: 0.0 };
-    lights.iter().fold(dark, |sum, light| {
-        let Reflected { body, highlight } = light.reflect(point, normal, eye);
-        Reflected { body: sum.body + body, highlight: sum.highlight + highlight }
-    })
 }
 
 /// A surface's place in the world, and what it is lit by.
@@ -186,7 +156,7 @@ impl Lighting for AtVertices<'_> {
     #[inline]
     fn vertex(&self, vertex: usize) -> (f32, f32) {
         let (point, normal) = self.0.vertex(vertex);
-        let Reflected { body, highlight } = reflected(&self.0.lamps.phong, point, normal, self.0.eye);
+        let Reflected { body, highlight } = self.0.lamps.phong(point, normal, self.0.eye);
         (body, highlight)
     }
 
@@ -207,9 +177,9 @@ impl Lighting for AtPixels<'_> {
         self.0.vertex(vertex)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lit(&self, base: Color, (point, normal): (Vec3, Vec3)) -> Color {
-        reflected(&self.0.lamps.blinn, point, normal, self.0.eye).color(base)
+        self.0.lamps.blinn(point, normal, self.0.eye).color(base)
     }
 }
 

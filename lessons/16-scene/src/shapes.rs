@@ -123,3 +123,90 @@ pub fn sphere(latitudes: usize, longitudes: usize) -> Shape {
     Shape { vertices, triangles }
 }
 // ANCHOR_END: sphere
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What holds of a convex body about the origin: normals are unit vectors out of it, triangles run counterclockwise seen
+    /// from outside, and there is a neighbour at each side.
+    fn assert_convex(shape: &Shape, name: &str) {
+        let Shape { vertices, triangles } = shape;
+        let mut sides = Vec::new();
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize]);
+            let across = (b.position - a.position).cross(c.position - a.position);
+            for vertex in [a, b, c] {
+                assert!(across.dot(vertex.position) > 0.0 && across.dot(vertex.normal) > 0.0, "{name}");
+                assert!((vertex.normal.length() - 1.0).abs() < 1e-6, "{name}");
+            }
+            let [a, b, c] = [a, b, c].map(|vertex| (vertex.position + 0.0).to_array().map(f32::to_bits));
+            sides.extend([[a, b], [b, c], [c, a]]);
+        }
+        let mut turned: Vec<_> = sides.iter().map(|&[from, to]| [to, from]).collect();
+        sides.sort_unstable();
+        turned.sort_unstable();
+        assert_eq!(sides, turned, "{name}");
+        sides.dedup();
+        assert_eq!(sides.len(), turned.len(), "{name}");
+    }
+
+    #[test]
+    fn a_cube_has_side_1_and_twelve_triangles_that_face_outwards() {
+        let cube = cube();
+        assert_convex(&cube, "cube");
+        assert_eq!((cube.vertices.len(), cube.triangles.len()), (24, 12));
+        assert!(cube.vertices.iter().all(|vertex| vertex.position.abs() == Vec3::splat(0.5)));
+        // A texture stands upright and is not mirrored on each face: (u, v) turn as the corners do.
+        for triangle in &cube.triangles {
+            let [a, b, c] = triangle.map(|vertex| cube.vertices[vertex as usize].uv);
+            assert_eq!((b - a).perp_dot(c - a), 1.0);
+        }
+    }
+
+    #[test]
+    fn a_sphere_has_radius_1_and_is_closed() {
+        for (latitudes, longitudes) in [(2, 3), (2, 40), (3, 6), (5, 4), (31, 3), (32, 64)] {
+            let name = format!("{latitudes}x{longitudes}");
+            let sphere = sphere(latitudes, longitudes);
+            assert_convex(&sphere, &name);
+            assert_eq!(sphere.triangles.len(), 2 * longitudes * (latitudes - 1), "{name}");
+            assert_eq!(sphere.vertices.len(), 2 * longitudes + (latitudes - 1) * (longitudes + 1), "{name}");
+            assert!(sphere.vertices.iter().all(|vertex| vertex.normal == vertex.position), "{name}");
+            assert_eq!(sphere.vertices[0].position, Vec3::Y, "{name}");
+            assert_eq!(sphere.vertices[sphere.vertices.len() - 1].position, Vec3::NEG_Y, "{name}");
+        }
+    }
+
+    /// In no triangle does the texture run backwards, as it would where one column had both u = 0 and u = 1.
+    #[test]
+    fn the_texture_of_a_sphere_has_a_seam() {
+        let Shape { vertices, triangles } = sphere(6, 8);
+        for triangle in &triangles {
+            let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize].uv);
+            let area = (b - a).perp_dot(c - a) * 48.0;
+            assert!((area - 1.0).abs() < 1e-5, "{area}");
+        }
+        // A quarter of the way round from +z is +x.
+        let east = vertices.iter().find(|vertex| vertex.uv == Vec2::new(0.25, 0.5)).unwrap();
+        assert!(east.position.abs_diff_eq(Vec3::X, 1e-7));
+    }
+
+    #[test]
+    #[should_panic(expected = "two latitudes and three longitudes at least")]
+    fn a_sphere_of_two_longitudes_would_be_flat() {
+        let _ = sphere(2, 2);
+    }
+
+    /// Corners are one vertex where position and normal agree.
+    #[test]
+    fn a_model_becomes_vertices() {
+        let square = vec![Vec3::ZERO, Vec3::X, Vec3::ONE, Vec3::Y];
+        let model = Model::from_triangles(square, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+        let flat = Shape::of(&model, &[[Vec3::Z; 3]; 2]);
+        assert_eq!((flat.vertices.len(), &flat.triangles[..]), (4, &[[0, 1, 2], [0, 2, 3]][..]));
+        assert_eq!(flat.vertices[2], Vertex { position: Vec3::ONE, normal: Vec3::Z, uv: Vec2::ZERO });
+        let bent = Shape::of(&model, &[[Vec3::Z; 3], [Vec3::X; 3]]);
+        assert_eq!((bent.vertices.len(), &bent.triangles[..]), (6, &[[0, 1, 2], [3, 4, 5]][..]));
+    }
+}

@@ -6,7 +6,7 @@ use antialiasing::storage::{Compressed, Samples};
 use common::{Format, Image};
 
 use crate::kept::Kept;
-use crate::shader::Lamps;
+use crate::lamps::Lamps;
 use crate::wireframe::Wires;
 
 /// One sample a pixel.
@@ -81,4 +81,24 @@ impl Target {
 /// A canvas for such a picture, made when it is first asked for.
 pub(crate) fn canvas<'a, C: Canvas>(kept: &'a mut Option<C>, picture: &Image) -> &'a mut C {
     kept.get_or_insert_with(|| C::new([picture.width(), picture.height()].map(|side| side as usize)))
+}
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+
+    #[test]
+    fn another_size_keeps_what_is_switched_and_the_same_size_the_picture() {
+        let mut target = Target::new(3, 2);
+        target.wireframe = true;
+        target.picture.set(1, 1, Color::RED);
+        target.resize(3, 2);
+        assert_eq!(target.picture().get(1, 1), Some(Color::RED));
+        target.resize(2, 3);
+        assert_eq!((target.picture().width(), target.picture().height()), (2, 3));
+        assert!(target.wireframe && !target.antialiased);
+        assert_eq!(target.picture().get(1, 1), Some(Color::BLACK));
+    }
 }

@@ -107,3 +107,57 @@ pub fn in_perspective(fov: f32, size: Vec2) -> Mat4 {
 fn turned(degrees_a_second: f64, seconds: f64) -> f32 {
     (degrees_a_second * seconds % 360.0) as f32
 }
+
+#[cfg(test)]
+mod tests {
+    use common::{Color, IVec2};
+    use perspective::window;
+    use transforms::affine::model;
+    use transforms::scale;
+
+    use super::*;
+
+    /// Z·M·Z, of any move, turn and scale.
+    #[test]
+    fn what_the_assignments_matrix_does_ours_does_seen_in_a_mirror() {
+        let mirror = scale(Vec3::new(1.0, 1.0, -1.0));
+        for n in 0..200 {
+            let number = |k: u64| f32::from(Color::random(10 * n + k).r) / 16.0 - 8.0;
+            let [position, degrees, size] =
+                [0, 3, 6].map(|k| Vec3::new(number(k), number(k + 1), number(k + 2)));
+            let theirs = model(position, 20.0 * degrees, size);
+            let (position, degrees) = ours(position, 20.0 * degrees);
+            let ours = model(position, degrees, size);
+            assert!(ours.abs_diff_eq(mirror * theirs * mirror, 1e-5), "{n}");
+        }
+    }
+
+    /// p_x = (x/5 + 1)·w/2 and p_y = h − (y/5 + 1)·h/2, rows from the top.
+    #[test]
+    fn the_first_projection_is_the_assignments_formula() {
+        let size = Vec2::new(800.0, 600.0);
+        let pixel = |x, y, z| {
+            let (place, _) = ours(Vec3::new(x, y, z), Vec3::ZERO);
+            let window = window(orthographic(size) * place.extend(1.0), size).unwrap();
+            IVec2::new(window.x as i32, (size.y - window.y) as i32)
+        };
+        // The assignment's own two examples, which say z = 0, and its objects' depth.
+        for z in [0.0, 2.0] {
+            assert_eq!(pixel(-5.0, 5.0, z), IVec2::ZERO);
+            assert_eq!(pixel(0.0, 0.0, z), IVec2::new(400, 300));
+            assert_eq!(pixel(2.5, -2.5, z), IVec2::new(600, 450));
+        }
+    }
+
+    #[test]
+    fn versions_stand_in_order_and_keep_the_keys_that_they_have() {
+        let mut before = 0;
+        for (n, version) in (0..).zip(VERSIONS) {
+            assert_eq!(version.number, n);
+            let keys = [Key::F1, Key::W, Key::F2].map(|key| u32::from(version.has(key))).iter().sum();
+            assert!(keys >= before && version.has(Key::Escape), "{n}");
+            before = keys;
+        }
+        assert_eq!((VERSIONS.len(), before), (12, 3));
+    }
+}

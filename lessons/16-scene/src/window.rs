@@ -267,7 +267,11 @@ impl Shown {
         let milliseconds = self.pace.milliseconds(now);
         let [width, height] = [target.picture().width(), target.picture().height()];
         title.clear();
-        let drawn = if target.wireframe { "wireframe".into() } else { format!("{triangles} triangles") };
+        let drawn = match triangles {
+            _ if target.wireframe => "wireframe".into(),
+            1 => "1 triangle".into(),
+            count => format!("{count} triangles"),
+        };
         let samples = if target.antialiased { ", 16 samples" } else { "" };
         let paused = if simulation.is_paused() { ", paused" } else { "" };
         let number = simulation.version().number;

@@ -86,3 +86,29 @@ fn pixels(mut ends: [Vec4; 2], size: Vec2) -> Option<[IVec2; 2]> {
     Some(if from.to_array() <= to.to_array() { [from, to] } else { [to, from] })
 }
 // ANCHOR_END: pixels
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: Vec2 = Vec2::new(20.0, 10.0);
+
+    fn line(from: [f32; 4], to: [f32; 4]) -> Option<[[i32; 2]; 2]> {
+        let line = pixels([from, to].map(Vec4::from), SIZE);
+        assert_eq!(line, pixels([to, from].map(Vec4::from), SIZE));
+        line.map(|ends| ends.map(|end| end.to_array()))
+    }
+
+    #[test]
+    fn a_line_is_the_same_from_either_end_and_stays_in_the_picture() {
+        assert_eq!(line([-0.5, 0.0, 0.0, 1.0], [0.5, 0.5, 0.0, 1.0]), Some([[5, 5], [15, 7]]));
+        // The right and the upper border belong to the last column and row.
+        assert_eq!(line([-1.0, -1.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]), Some([[0, 0], [19, 9]]));
+        assert_eq!(line([-1e10, 0.0, 0.0, 1.0], [1e10, 0.0, 0.0, 1.0]), Some([[0, 5], [19, 5]]));
+        assert_eq!(line([-2.0, 0.0, 0.0, 1.0], [0.0, 2.5, 0.0, 1.0]), None);
+        // From before the eye to behind it: up to the near plane, where z = −w.
+        assert_eq!(line([0.0, 0.0, 0.5, 1.0], [0.0, 0.0, -2.0, -1.0]), Some([[10, 5]; 2]));
+        assert_eq!(line([0.0, 0.0, 0.0, -1.0], [0.5, 0.0, 0.0, -2.0]), None);
+        assert_eq!(line([f32::NAN; 4], [0.0, 0.0, 0.0, 1.0]), None);
+    }
+}

@@ -1,7 +1,29 @@
 //! Lesson 16: what its methods draw, where they fail, what its program is asked.
 
+mod alike;
+mod alpha;
+mod any_scene;
+mod cameras;
+mod colors;
 mod cost;
+mod degenerate;
+mod frustum;
+mod handedness;
 mod head;
+mod levels;
+mod lights;
+mod motion;
+mod order;
+mod ownership;
+mod pictures;
+mod pixels;
+mod planes;
+mod projections;
+mod samples;
 mod snapshots;
+mod spheres;
 mod stability;
+mod stage;
+mod truth;
 mod usage;
+mod versions;

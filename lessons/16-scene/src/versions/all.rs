@@ -29,43 +29,28 @@ pub(super) const CAMERA: Version = Version {
 pub(super) const ANTIALIASING: Version =
     Version { number: 10, what: "the same with smooth edges, until F2", antialiasing: true, ..CAMERA };
 
-/// Where the top of the board is.
-const BOARD: f32 = -0.7;
-
-/// Crates and spheres on a board, one of each to be seen through, and a cube of all colours.
+/// Crates and spheres on a board whose top is at −0.7, one of each to be seen through, and a cube of all colours.
 // ANCHOR: all
 fn all(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
     let wood = wooden_crate()?;
     let painted = |paint| Levels::one(Mesh::new(&cube(), paint));
     let sphere = |r, g, b| spheres(sizes, &Paint::Color(Color::rgb(r, g, b)));
     let [colors, board] = [Paint::Colors(all_colors()), Paint::Color(Color::rgb(185, 180, 166))].map(painted);
-    let on_board = |levels: &Arc<Levels>, [x, z]: [f32; 2], height: f32, degrees: f32| Entity {
-        position: Vec3::new(x, BOARD + height / 2.0, z),
-        degrees: Vec3::new(0.0, degrees, 0.0),
-        scale: Vec3::splat(height),
+    let at = |levels: &Arc<Levels>, position: [f32; 3], size: f32| Entity {
+        position: position.into(),
+        scale: Vec3::splat(size),
         ..Entity::new(levels.clone())
     };
-    let ball = |levels: &Arc<Levels>, at, radius: f32| Entity {
-        scale: Vec3::splat(radius),
-        ..on_board(levels, at, 2.0 * radius, 0.0)
-    };
-    let upper =
-        Entity { position: Vec3::new(-0.85, BOARD + 1.6, -0.75), ..on_board(&wood, [0.0; 2], 0.8, -14.0) };
-    let board_size = Vec3::new(4.8, 0.16, 3.8);
     Ok(Scene {
         entities: vec![
-            Entity {
-                position: Vec3::new(0.25, 0.15, 1.2),
-                alpha: 0.5,
-                ..on_board(&wood, [0.0; 2], 0.6, 0.0)
-            },
-            Entity { position: Vec3::new(-1.6, BOARD + 0.7, 0.9), ..on_board(&colors, [0.0; 2], 0.65, 0.0) },
-            Entity { position: Vec3::new(0.0, BOARD - 0.08, 0.0), scale: board_size, ..Entity::new(board) },
-            on_board(&wood, [-0.85, -0.7], 1.2, 24.0),
-            upper,
-            ball(&sphere(47, 111, 214), [1.15, -0.75], 0.8),
-            ball(&sphere(216, 58, 52), [-0.35, 1.15], 0.3),
-            Entity { alpha: 0.45, ..ball(&sphere(111, 224, 176), [1.35, 0.95], 0.5) },
+            Entity { alpha: 0.5, ..at(&wood, [0.5, 0.65, 0.3], 0.6) },
+            at(&colors, [-1.6, 0.0, 0.9], 0.65),
+            Entity { scale: Vec3::new(4.8, 0.16, 3.8), ..at(&board, [0.0, -0.78, 0.0], 1.0) },
+            Entity { degrees: Vec3::new(0.0, 24.0, 0.0), ..at(&wood, [-0.85, -0.1, -0.7], 1.2) },
+            Entity { degrees: Vec3::new(0.0, -14.0, 0.0), ..at(&wood, [-0.85, 0.9, -0.75], 0.8) },
+            at(&sphere(47, 111, 214), [1.15, 0.1, -0.75], 0.8),
+            at(&sphere(216, 58, 52), [-0.35, -0.4, 1.15], 0.3),
+            Entity { alpha: 0.45, ..at(&sphere(111, 224, 176), [1.35, -0.2, 0.95], 0.5) },
         ],
         lights: vec![
             PointLight {
