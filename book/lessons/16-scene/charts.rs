@@ -10,7 +10,9 @@ use lighting::PointLight;
 use perspective::perspective;
 use scene::frustum::pixels_per_unit;
 use scene::levels::{Sizes, spheres};
-use scene::{Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Style, Target, orbit, render_scene};
+use scene::{
+    Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Style, Target, orbit, render_scene,
+};
 use transforms::inverse::rigid;
 
 use crate::measuring::measure::{Effort, Errors, Work};
@@ -115,10 +117,13 @@ fn method_stability(_: Effort) -> Vec<Series> {
     let projection = projection();
     let at = |levels: &Arc<Levels>, distance: f32| {
         let position = Vec3::NEG_Z * distance;
-        let entity = Entity { position, degrees: Vec3::new(70.0, 20.0, 0.0), ..Entity::new(Arc::clone(levels)) };
+        let entity =
+            Entity { position, degrees: Vec3::new(70.0, 20.0, 0.0), ..Entity::new(Arc::clone(levels)) };
         (f64::from(distance), off(chosen(&entity, &projection), projection * entity.to_world()))
     };
-    let of = |levels: &Arc<Levels>| [400.0, 200.0, 100.0, 50.0, 25.0, 12.0, 6.0, 3.0].map(|d| at(levels, d)).to_vec();
+    let of = |levels: &Arc<Levels>| {
+        [400.0, 200.0, 100.0, 50.0, 25.0, 12.0, 6.0, 3.0].map(|d| at(levels, d)).to_vec()
+    };
     tables().iter().map(of).collect()
 }
 

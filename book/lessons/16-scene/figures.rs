@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use clipping::clip::{ClipVertex, Polygon, clip};
 use clipping::Cull;
+use clipping::clip::{ClipVertex, Polygon, clip};
 use common::{Attributes, Color, Image, Mat4, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
 use lighting::PointLight;
 use perspective::perspective;
@@ -12,8 +12,8 @@ use scene::head::{STAGES, Stage};
 use scene::levels::{Sizes, spheres};
 use scene::versions::orthographic;
 use scene::{
-    Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Shape, Style, Target, VERSIONS, Version, orbit,
-    render_scene, sphere,
+    Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Shape, Style, Target, VERSIONS, Version,
+    orbit, render_scene, sphere,
 };
 use transforms::inverse::rigid;
 
@@ -274,7 +274,11 @@ const LIT: Style = Style { shading: Shading::BlinnPhong, filter: Filtering::Tril
 fn before_dark(entities: Vec<Entity>, style: Style) -> Scene {
     Scene {
         entities,
-        lights: vec![PointLight { position: Vec3::new(2.0, 2.0, 3.0), ambient: 0.4, ..PointLight::default() }],
+        lights: vec![PointLight {
+            position: Vec3::new(2.0, 2.0, 3.0),
+            ambient: 0.4,
+            ..PointLight::default()
+        }],
         background: Color::rgb(0x18, 0x1c, 0x24),
         style,
     }
@@ -290,11 +294,7 @@ fn negative() -> anyhow::Result<Drawing> {
     };
     let mirrored = Vec3::new(-1.0, 1.0, 1.0);
     // Without the swap, what the scene leaves out is what is left out: its opposite, after the swap.
-    rows_of(&[vec![
-        draw(Vec3::ONE, Cull::Back)?,
-        draw(mirrored, Cull::Front)?,
-        draw(mirrored, Cull::Back)?,
-    ]])
+    rows_of(&[vec![draw(Vec3::ONE, Cull::Back)?, draw(mirrored, Cull::Front)?, draw(mirrored, Cull::Back)?]])
 }
 
 /// A rainbow around the globe, with a net of meridians and parallels.
@@ -351,9 +351,14 @@ fn silhouettes() -> anyhow::Result<Drawing> {
     let projection = perspective(2.0 * half.to_degrees(), 1.0, 1.0, 100.0)?;
     let draw = |name: &str| -> anyhow::Result<Image> {
         let ball = spheres(sizes(name)?, &Paint::Color(Color::rgb(0xf2, 0xc1, 0x4e)));
-        let mut scene = before_dark(vec![Entity { degrees: Vec3::new(90.0, 0.0, 0.0), ..Entity::new(ball) }], LIT);
-        scene.lights[0] =
-            PointLight { position: Vec3::new(10.0, 60.0, 30.0), ambient: 0.4, diffuse: 0.6, ..scene.lights[0] };
+        let mut scene =
+            before_dark(vec![Entity { degrees: Vec3::new(90.0, 0.0, 0.0), ..Entity::new(ball) }], LIT);
+        scene.lights[0] = PointLight {
+            position: Vec3::new(10.0, 60.0, 30.0),
+            ambient: 0.4,
+            diffuse: 0.6,
+            ..scene.lights[0]
+        };
         let image = picture(&scene, projection, orbit(0.0, 0.0, distance), [SIDE; 2], false)?;
         let part = cut(&image, [126, 316], [148, 72]);
         Ok(part.scale(THIRD, 144))
@@ -364,7 +369,10 @@ fn silhouettes() -> anyhow::Result<Drawing> {
 /// The head in one of its levels.
 pub(crate) fn stage_shape(stage: &Stage) -> anyhow::Result<Shape> {
     let needs = Attributes { normals: true, uvs: true };
-    let model = Model::read(&Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets")).join(stage.file), needs)?;
+    let model = Model::read(
+        &Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets")).join(stage.file),
+        needs,
+    )?;
     Ok(Shape::of(&model, &gouraud::corner_normals(&model)))
 }
 

@@ -122,9 +122,7 @@ pub(super) fn rows() -> anyhow::Result<Drawing> {
     const SIZE: [usize; 2] = [6, 12];
     let mut sheet = Sheet::new((-11.8, -6.0), (19.2, 6.2));
     let shape = sphere(SIZE[0], SIZE[1]);
-    let round = |n: u32| {
-        seen(shape.vertices[n as usize].position, 15.0, 20.0) * 4.6 + Vec2::new(-6.6, 0.0)
-    };
+    let round = |n: u32| seen(shape.vertices[n as usize].position, 15.0, 20.0) * 4.6 + Vec2::new(-6.6, 0.0);
     let front = |triangle: &&[u32; 3]| {
         let [a, b, c] = triangle.map(round);
         (b - a).perp_dot(c - a) > 0.0
@@ -316,9 +314,8 @@ pub(super) fn held() -> anyhow::Result<Drawing> {
                 0.0 => 1.0 - n as f32 / 45.0,
                 _ => (-(n as f32) / rate).exp(),
             };
-            let stairs = (0..pictures).flat_map(|n| {
-                [at(n as f32 / rate, place(n)), at((n + 1) as f32 / rate, place(n))]
-            });
+            let stairs = (0..pictures)
+                .flat_map(|n| [at(n as f32 / rate, place(n)), at((n + 1) as f32 / rate, place(n))]);
             sheet.polyline(stairs.chain([at(1.0, place(pictures))]), ink, 2.2);
             sheet.dot(at(1.0, place(pictures)), ink);
         }

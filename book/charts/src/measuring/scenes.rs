@@ -10,7 +10,8 @@ use lighting::PointLight;
 use scene::frustum::pixels_per_unit;
 use scene::head::{STAGES, Stage};
 use scene::{
-    Entity, Filtering, Levels, Mesh, Paint, Scene, Shading, Style, Target, VERSIONS, Vertex, orbit, render_scene, sphere,
+    Entity, Filtering, Levels, Mesh, Paint, Scene, Shading, Style, Target, VERSIONS, Vertex, orbit,
+    render_scene, sphere,
 };
 use serde_json::json;
 use transforms::inverse::rigid;
@@ -73,8 +74,12 @@ fn frame(run: &mut Run) -> anyhow::Result<()> {
 }
 
 /// Many things of which some are seen, asked for or not.
-pub(super) const OUTSIDE: Comparison =
-    Comparison { name: "16-scene-outside", works: |share| Ok(outside(share)), measure: outsides, draw: outside_chart };
+pub(super) const OUTSIDE: Comparison = Comparison {
+    name: "16-scene-outside",
+    works: |share| Ok(outside(share)),
+    measure: outsides,
+    draw: outside_chart,
+};
 
 /// How many of the things are in the picture, in percent.
 const SHARES: [usize; 6] = [0, 10, 25, 50, 75, 100];
@@ -144,7 +149,9 @@ fn outside_chart(folder: &Path) -> anyhow::Result<Pictures> {
             at(ASKED[0], 10.0),
             at(ASKED[1], 10.0)
         ),
-        reading: format!("The time for a picture of {THINGS} spheres of 960 triangles, by how many are seen."),
+        reading: format!(
+            "The time for a picture of {THINGS} spheres of 960 triangles, by how many are seen."
+        ),
         across: "spheres in the picture, % →".into(),
         falling: false,
         what: "time",
@@ -201,7 +208,11 @@ fn head_levels(run: &mut Run) -> anyhow::Result<()> {
             value: three_digits(1000.0 / speed.median()),
         }));
     }
-    write_points(&points, ["distance", "triangles", "ms"], &run.folder.join(HEADS.name).with_extension("csv"))?;
+    write_points(
+        &points,
+        ["distance", "triangles", "ms"],
+        &run.folder.join(HEADS.name).with_extension("csv"),
+    )?;
     run.write_facts(HEADS.name, json!({ "size": SIZE }))
 }
 
