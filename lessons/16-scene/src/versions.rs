@@ -45,8 +45,6 @@ impl Version {
     }
 }
 
-pub(crate) const LAST: Version = all::ANTIALIASING;
-
 /// All of them, by their numbers. The last is the course's own.
 pub const VERSIONS: &[Version] = &[
     first::WHITE,
@@ -132,7 +130,7 @@ mod tests {
         }
     }
 
-    /// p_x = (x/5 + 1)·w/2 and p_y = h − (y/5 + 1)·h/2, rows from the top.
+    /// The pixel (x/5 + 1)·w/2, h − (y/5 + 1)·h/2, with rows from the top.
     #[test]
     fn the_first_projection_is_the_assignments_formula() {
         let size = Vec2::new(800.0, 600.0);
