@@ -3,13 +3,14 @@
 use common::direction::unit;
 use common::{Color, Mat3, Mat4, Vec2, Vec3, Vec4};
 use filtering::Texture;
-use filtering::filter::Filter;
-use filtering::footprint::{Asked, Gradients};
+use filtering::filter::{Bilinear, Filter, Nearest, Trilinear};
+use filtering::footprint::{Asked, Footprint, Gradients};
 use lighting::Reflected;
 use shaders::shader::{Fragment, Shader, Varying};
 
 use crate::lamps::Lamps;
 use crate::mesh::Mesh;
+use crate::scene::Filtering;
 
 /// Where colours come from.
 pub trait Base {
@@ -67,25 +68,28 @@ impl Base for &[Color] {
     }
 }
 
-/// A texture, filtered in one way.
-pub struct Textured<'a, F> {
+/// A texture. How it is filtered is decided when the program runs, once a pixel: a loop for each filter would be three times as
+/// many, and none of them faster.
+pub struct Textured<'a> {
     /// The texture.
     pub texture: &'a Texture,
     /// The texture coordinates of the vertices.
     pub uvs: &'a [Vec2],
     /// How it is filtered.
-    pub filter: F,
+    pub filter: Filtering,
     /// The size of the picture in pixels.
     pub size: Vec2,
 }
 
-impl<F: Filter> Base for Textured<'_, F> {
-    type Constant = <F::Footprint as Asked>::Constant;
+impl Base for Textured<'_> {
+    /// What footprints are told by, for the filter that asks for them.
+    type Constant = Option<Gradients>;
     type Varying = Vec2;
 
     #[inline]
-    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Self::Constant {
-        F::Footprint::triangle(|| Gradients::new(clip(), vertices.map(|vertex| self.uvs[vertex]), self.size))
+    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Option<Gradients> {
+        let is_asked = self.filter == Filtering::Trilinear;
+        is_asked.then(|| Gradients::new(clip(), vertices.map(|vertex| self.uvs[vertex]), self.size))
     }
 
     #[inline]
@@ -94,9 +98,13 @@ impl<F: Filter> Base for Textured<'_, F> {
     }
 
     #[inline(always)]
-    fn color(&self, constant: Self::Constant, fragment: Fragment<Vec2>) -> Color {
+    fn color(&self, gradients: Option<Gradients>, fragment: Fragment<Vec2>) -> Color {
         let Fragment { x, y, varying: uv, .. } = fragment;
-        self.filter.color(self.texture, uv, F::Footprint::at(constant, x, y, uv))
+        match gradients {
+            Some(gradients) => Trilinear.color(self.texture, uv, Footprint::at(gradients, x, y, uv)),
+            None if self.filter == Filtering::Nearest => Nearest.color(self.texture, uv, ()),
+            None => Bilinear.color(self.texture, uv, ()),
+        }
     }
 }
 

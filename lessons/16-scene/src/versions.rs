@@ -45,8 +45,6 @@ impl Version {
     }
 }
 
-pub(crate) const LAST: Version = all::ANTIALIASING;
-
 /// All of them, by their numbers. The last is the course's own.
 pub const VERSIONS: &[Version] = &[
     first::WHITE,

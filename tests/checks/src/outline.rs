@@ -57,6 +57,21 @@ impl Ellipse {
         self.center + if length > 0.0 { along / length } else { DVec2::ZERO }
     }
 
+    /// Its area, in pixels.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let [xx, xy, yy] = self.spread;
+        TAU / 2.0 * (xx * yy - xy * xy).sqrt()
+    }
+
+    /// Whether a point is within it.
+    #[must_use]
+    pub fn contains(&self, p: DVec2) -> bool {
+        let [xx, xy, yy] = self.spread;
+        let DVec2 { x, y } = p - self.center;
+        yy * x * x - 2.0 * xy * x * y + xx * y * y < xx * yy - xy * xy
+    }
+
     /// How far a point is from the outline: positive outside, negative inside. It is the largest n·p less the reach along n, in
     /// whatever direction n.
     #[must_use]
@@ -132,10 +147,14 @@ mod tests {
                 .unwrap();
         // 3/4 of half of 100 px, up and, half as much enlarged in a picture twice as wide, to the right.
         assert_eq!(ellipse.center, DVec2::new(100.0, 50.0));
+        assert!((ellipse.area() - TAU / 2.0 * 37.5 * 37.5).abs() < 1e-9);
         for angle in [0.0, 0.3, 2.0, 4.5] {
             let n = DVec2::from_angle(angle);
             assert!((ellipse.reach(n) - n.dot(ellipse.center) - 37.5).abs() < 1e-12);
             assert!((ellipse.distance(ellipse.center + 40.0 * n) - 2.5).abs() < 1e-9);
+            assert!(
+                ellipse.contains(ellipse.center + 37.49 * n) && !ellipse.contains(ellipse.center + 37.51 * n)
+            );
             assert!((ellipse.distance(ellipse.center + 30.0 * n) + 7.5).abs() < 1e-9);
         }
     }
@@ -154,6 +173,8 @@ mod tests {
                 let p = ellipse.point(n);
                 assert!((ellipse.reach(n) - n.dot(p)).abs() < 1e-9, "{n}");
                 assert!(ellipse.distance(p).abs() < 1e-6, "{n}: {}", ellipse.distance(p));
+                let [within, beyond] = [0.999, 1.001].map(|share| ellipse.center.lerp(p, share));
+                assert!(ellipse.contains(within) && !ellipse.contains(beyond), "{n}");
                 let ray = ((p / SIZE * 2.0 - 1.0) / enlarged).extend(-1.0) / radii;
                 let from = -center / radii;
                 // |from + t·ray|² = 1 has one solution.
