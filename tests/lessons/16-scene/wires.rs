@@ -38,9 +38,8 @@ fn lines(scene: &Scene, to_clip: &Mat4) -> Vec<[DVec2; 2]> {
     for entity in &scene.entities {
         let (mesh, matrix) = (entity.levels.finest(), (*to_clip * entity.to_world()).as_dmat4());
         for face in 0..mesh.triangles() {
-            let corners = [0, 1, 2].map(|corner| {
-                matrix * mesh.positions()[mesh.vertex(face, corner)].as_dvec3().extend(1.0)
-            });
+            let corners = [0, 1, 2]
+                .map(|corner| matrix * mesh.positions()[mesh.vertex(face, corner)].as_dvec3().extend(1.0));
             // The determinant of the three (x, y, w) tells which side is seen, wherever they are.
             let [a, b, c] = corners.map(|corner| common::DVec3::new(corner.x, corner.y, corner.w));
             let front = a.dot(b.cross(c)) * entity.scale.as_dvec3().to_array().iter().product::<f64>() > 0.0;
@@ -86,7 +85,10 @@ fn check(scene: &Scene, inverse_camera: &Mat4) -> usize {
         let steps = (to - from).length().ceil().max(1.0) as i32;
         for n in 0..=steps {
             let at = from + (to - from) * f64::from(n) / f64::from(steps);
-            assert!(there.iter().any(|pixel| (*pixel - at).length() < FAR), "nothing at {at} from {from} to {to}");
+            assert!(
+                there.iter().any(|pixel| (*pixel - at).length() < FAR),
+                "nothing at {at} from {from} to {to}"
+            );
         }
     }
     there.len()
@@ -143,7 +145,8 @@ fn diagonals_are_lines_too() {
 /// Smooth lines are where the others are, each pixel with a share of the colour.
 #[test]
 fn smooth_lines_are_where_the_others_are() {
-    let scene = lit(vec![Entity { degrees: Vec3::new(25.0, 40.0, 15.0), ..Entity::new(cube_of(Color::WHITE)) }]);
+    let scene =
+        lit(vec![Entity { degrees: Vec3::new(25.0, 40.0, 15.0), ..Entity::new(cube_of(Color::WHITE)) }]);
     let camera = transforms::inverse::rigid(&ORBIT.camera());
     let [sharp, smooth] = [false, true].map(|antialiased| drawn(&scene, &camera, antialiased).0);
     let (lines, full) = (lines(&scene, &drawn(&scene, &camera, true).2), Color::WHITE);
