@@ -13,6 +13,7 @@ use crate::mesh::Mesh;
 use crate::scene::Filtering;
 
 /// Where colours come from.
+// ANCHOR: base
 pub trait Base {
     /// What is the same all over a triangle.
     type Constant: Copy;
@@ -25,6 +26,7 @@ pub trait Base {
     /// At a pixel.
     fn color(&self, constant: Self::Constant, fragment: Fragment<Self::Varying>) -> Color;
 }
+// ANCHOR_END: base
 
 /// One colour all over.
 impl Base for Color {
@@ -81,6 +83,7 @@ pub struct Textured<'a> {
     pub size: Vec2,
 }
 
+// ANCHOR: textured
 impl Base for Textured<'_> {
     /// What footprints are told by, for the filter that asks for them.
     type Constant = Option<Gradients>;
@@ -107,6 +110,7 @@ impl Base for Textured<'_> {
         }
     }
 }
+// ANCHOR_END: textured
 
 /// A surface's place in the world, and what it is lit by.
 #[derive(Clone, Copy)]
@@ -123,6 +127,7 @@ pub struct Placed<'a> {
     pub lamps: &'a Lamps,
 }
 
+// ANCHOR: placed
 impl Placed<'_> {
     /// Where a vertex is in the world, and its unit normal there.
     #[inline]
@@ -131,8 +136,10 @@ impl Placed<'_> {
         (self.to_world.transform_point3(self.mesh.positions()[vertex]), normal)
     }
 }
+// ANCHOR_END: placed
 
 /// How colours are lit.
+// ANCHOR: lighting
 pub trait Lighting {
     /// What is interpolated.
     type Varying: Varying + 'static;
@@ -141,6 +148,7 @@ pub trait Lighting {
     /// What is seen of a colour at a pixel.
     fn lit(&self, base: Color, varying: Self::Varying) -> Color;
 }
+// ANCHOR_END: lighting
 
 /// Not at all.
 impl Lighting for () {
@@ -177,6 +185,7 @@ impl Lighting for AtVertices<'_> {
 /// By Blinn's model at the pixels.
 pub struct AtPixels<'a>(pub Placed<'a>);
 
+// ANCHOR: at_pixels
 impl Lighting for AtPixels<'_> {
     type Varying = (Vec3, Vec3);
 
@@ -190,6 +199,7 @@ impl Lighting for AtPixels<'_> {
         self.0.lamps.blinn(point, normal, self.0.eye).color(base)
     }
 }
+// ANCHOR_END: at_pixels
 
 /// The shader: colours, lit.
 pub struct Look<'a, B, L> {
