@@ -27,3 +27,4 @@ mod stage;
 mod truth;
 mod usage;
 mod versions;
+mod wires;
