@@ -11,7 +11,7 @@ use charts::lessons::{LESSONS, Lesson};
 /// The book's own folder.
 const BOOK: &str = env!("CARGO_MANIFEST_DIR");
 
-/// Width and height of the pictures, in pixels.
+/// Width of the pictures, in pixels; most are as high.
 const SIZE: u16 = 400;
 
 /// Every picture: its lesson, its file, and the flags that draw it.
@@ -47,7 +47,9 @@ fn draw(lesson: &str, flags: &[&str]) -> anyhow::Result<Image> {
         .output()
         .context("cannot start cargo")?;
     ensure!(output.status.success(), "{lesson}: {}", String::from_utf8_lossy(&output.stderr).trim());
-    Ok(Image::read(&path)?.scale(SIZE, SIZE))
+    let drawn = Image::read(&path)?;
+    let height = i32::from(SIZE) * drawn.height() / drawn.width().max(1);
+    Ok(drawn.scale(SIZE, height as u16))
 }
 
 #[cfg(test)]

@@ -26,6 +26,8 @@ pub(crate) mod lighting;
 pub(crate) mod lines;
 #[path = "../../lessons/10-perspective/mod.rs"]
 pub(crate) mod perspective;
+#[path = "../../lessons/16-scene/mod.rs"]
+pub(crate) mod scene;
 #[path = "../../lessons/09-shaders/mod.rs"]
 pub(crate) mod shaders;
 #[path = "../../lessons/05-textures/mod.rs"]
@@ -56,6 +58,7 @@ pub const LESSONS: &[Lesson] = &[
     filtering::LESSON,
     blending::LESSON,
     antialiasing::LESSON,
+    scene::LESSON,
 ];
 
 /// What the book shows of a lesson.

@@ -25,6 +25,7 @@ mod needs;
 mod place;
 mod savings;
 pub(crate) mod scene;
+mod scenes;
 mod speed;
 mod summary;
 pub(crate) mod table;
@@ -75,6 +76,9 @@ const COMPARISONS: &[Comparison] = &[
     flight::COMPARISON,
     walks::COMPARISON,
     edges::COMPARISON,
+    scenes::FRAME,
+    scenes::OUTSIDE,
+    scenes::HEADS,
     needs::COMPARISON,
     head::COMPARISON,
     finish::COMPARISON,

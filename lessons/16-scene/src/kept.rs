@@ -19,6 +19,7 @@ impl Kept {
     /// assert_eq!(kept.of::<Vec<f32>>(), &[]);
     /// assert_eq!(kept.of::<Vec<u32>>(), &[7]);
     /// ```
+    #[expect(clippy::missing_panics_doc, reason = "what is found by its type is of that type")]
     pub fn of<T: Default + 'static>(&mut self) -> &mut T {
         let place = self.0.iter().position(|value| value.is::<T>()).unwrap_or_else(|| {
             self.0.push(Box::<T>::default());

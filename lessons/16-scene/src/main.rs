@@ -36,8 +36,8 @@ fn seconds(text: &str) -> Result<Duration, String> {
 
 struct Scenes {
     flags: Flags,
-    /// The picture of a turn that is to be drawn.
-    stop: u16,
+    /// The scene that was drawn last, and the sizes of its spheres.
+    simulation: Option<(Sizes, Simulation)>,
 }
 
 impl Scenes {
@@ -45,8 +45,17 @@ impl Scenes {
         &VERSIONS[usize::from(self.flags.version)]
     }
 
-    /// The version with its spheres, at the time and after the keys that are asked for.
-    fn simulation(&self, sizes: Sizes) -> anyhow::Result<Simulation> {
+    /// The scene with spheres of those sizes, at the time and after the keys that are asked for; read once.
+    fn simulation(&mut self, sizes: Sizes) -> anyhow::Result<&mut Simulation> {
+        let kept = self.simulation.take().filter(|(kept, _)| *kept == sizes);
+        let simulation = match kept {
+            Some((_, simulation)) => simulation,
+            None => self.read(sizes)?,
+        };
+        Ok(&mut self.simulation.insert((sizes, simulation)).1)
+    }
+
+    fn read(&self, sizes: Sizes) -> anyhow::Result<Simulation> {
         let mut simulation = Simulation::new(self.version(), sizes)?;
         if let Some(time) = self.flags.time {
             simulation.stop_at(time);
@@ -65,7 +74,7 @@ impl Program for Scenes {
     const DEFAULT: &str = "by-size";
 
     fn load(flags: Flags) -> anyhow::Result<Self> {
-        Ok(Self { flags, stop: 0 })
+        Ok(Self { flags, simulation: None })
     }
 
     fn size(&self) -> (u16, u16) {
@@ -73,10 +82,7 @@ impl Program for Scenes {
     }
 
     fn draw(&mut self, sizes: &Sizes, picture: &mut Image) -> anyhow::Result<Extras> {
-        let mut simulation = self.simulation(sizes)?;
-        if let Some(stops) = self.flags.turntable.stops {
-            simulation.turn(self.stop, stops);
-        }
+        let simulation = self.simulation(sizes)?;
         if !simulation.fits(picture) {
             return Err(too_large(picture).into());
         }
@@ -90,18 +96,22 @@ impl Program for Scenes {
         let Some(stops) = self.flags.turntable.stops else {
             #[cfg(feature = "window")]
             if !output.has_file() {
-                return scene::window::run(self.simulation(sizes)?, output.size(self));
+                let size = output.size(self);
+                return scene::window::run(self.simulation(sizes)?, size);
             }
             return output.one(self, sizes);
         };
-        if self.version().camera.is_none() {
-            return Err(UsageError(format!(
-                "--turntable: version {} has no camera that could turn",
-                self.flags.version
-            ))
-            .into());
-        }
-        output.series(self, sizes, stops, |scenes, n| scenes.stop = n)
+        let Some(start) = self.simulation(sizes)?.orbit() else {
+            let number = self.flags.version;
+            return Err(
+                UsageError(format!("--turntable: version {number} has no camera that could turn")).into()
+            );
+        };
+        output.series(self, sizes, stops, |scenes, n| {
+            if let Some((_, simulation)) = &mut scenes.simulation {
+                simulation.look_from(start.turned(n, stops));
+            }
+        })
     }
 }
 

@@ -9,7 +9,6 @@ use blending::translucent::{Translucent, faded};
 use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
 use common::{Image, Mat4, Vec2, Vec3};
-use filtering::filter::{Bilinear, Nearest, Trilinear};
 use transforms::inverse::elimination;
 
 use crate::entity::Entity;
@@ -17,7 +16,7 @@ use crate::frustum::{pixels_per_unit, sees};
 use crate::kept::Kept;
 use crate::lamps::Lamps;
 use crate::mesh::{Mesh, Paint};
-use crate::scene::{Filtering, Scene, Shading};
+use crate::scene::{Scene, Shading};
 use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
 use crate::target::{Queued, Target, canvas};
 use crate::wireframe::Wires;
@@ -123,7 +122,7 @@ fn draw_wires(
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
-        let mesh = level(entity, view);
+        let mesh = level(entity, view, WIRE_SHARE);
         let to_clip = view.to_clip * entity.to_world();
         let color = faded(mesh.mean(), entity.alpha);
         counts += wires.draw(mesh, &to_clip, cull(scene, entity), color, smooth, picture);
@@ -145,7 +144,7 @@ fn draw<C: Canvas<Stencil = ()>>(
     for queued in queue {
         let entity = &scene.entities[queued.entity];
         let Some(normals_to_world) = entity.normals_to_world() else { continue };
-        let mesh = level(entity, view);
+        let mesh = level(entity, view, 1.0);
         let placed = Placed { mesh, to_world: entity.to_world(), normals_to_world, eye: view.eye, lamps };
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
         counts += pass.draw(kept, canvas);
@@ -154,10 +153,14 @@ fn draw<C: Canvas<Stencil = ()>>(
     counts
 }
 
-/// The mesh of an entity that is fine enough.
-fn level<'a>(entity: &'a Entity, view: &View) -> &'a Mesh {
+/// A wireframe may be 8 times as far off as a surface: four pixels. Where that is half a pixel, sides are so short that lines
+/// cover all between them, and nothing is seen of the triangles.
+const WIRE_SHARE: f32 = 1.0 / 8.0;
+
+/// The mesh of an entity that is fine enough, where each of its pixels counts for such a share of one.
+fn level<'a>(entity: &'a Entity, view: &View, share: f32) -> &'a Mesh {
     let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), view.size);
-    entity.levels.choose(pixels * entity.scale.abs().max_element())
+    entity.levels.choose(share * pixels * entity.scale.abs().max_element())
 }
 
 /// What is left out of an entity: mirrored, its triangles run the other way round.
@@ -186,18 +189,8 @@ impl Pass<'_> {
             Paint::Color(color) => self.colored(*color, kept, canvas),
             Paint::Colors(colors) => self.colored(&colors[..], kept, canvas),
             Paint::Texture(texture) => {
-                let (uvs, size) = (mesh.uvs(), canvas.size());
-                match self.scene.style.filter {
-                    Filtering::Nearest => {
-                        self.colored(Textured { texture, uvs, filter: Nearest, size }, kept, canvas)
-                    }
-                    Filtering::Bilinear => {
-                        self.colored(Textured { texture, uvs, filter: Bilinear, size }, kept, canvas)
-                    }
-                    Filtering::Trilinear => {
-                        self.colored(Textured { texture, uvs, filter: Trilinear, size }, kept, canvas)
-                    }
-                }
+                let (uvs, filter, size) = (mesh.uvs(), self.scene.style.filter, canvas.size());
+                self.colored(Textured { texture, uvs, filter, size }, kept, canvas)
             }
         }
     }
@@ -251,7 +244,7 @@ mod tests {
 
     use super::*;
     use crate::levels::Levels;
-    use crate::scene::Style;
+    use crate::scene::{Filtering, Style};
     use crate::shapes::{cube, sphere};
     use crate::versions::in_perspective;
 

@@ -3,15 +3,17 @@
 use common::direction::unit;
 use common::{Color, Mat3, Mat4, Vec2, Vec3, Vec4};
 use filtering::Texture;
-use filtering::filter::Filter;
-use filtering::footprint::{Asked, Gradients};
+use filtering::filter::{Bilinear, Filter, Nearest, Trilinear};
+use filtering::footprint::{Asked, Footprint, Gradients};
 use lighting::Reflected;
 use shaders::shader::{Fragment, Shader, Varying};
 
 use crate::lamps::Lamps;
 use crate::mesh::Mesh;
+use crate::scene::Filtering;
 
 /// Where colours come from.
+// ANCHOR: base
 pub trait Base {
     /// What is the same all over a triangle.
     type Constant: Copy;
@@ -24,6 +26,7 @@ pub trait Base {
     /// At a pixel.
     fn color(&self, constant: Self::Constant, fragment: Fragment<Self::Varying>) -> Color;
 }
+// ANCHOR_END: base
 
 /// One colour all over.
 impl Base for Color {
@@ -67,25 +70,29 @@ impl Base for &[Color] {
     }
 }
 
-/// A texture, filtered in one way.
-pub struct Textured<'a, F> {
+/// A texture. How it is filtered is decided when the program runs, once a pixel: a loop for each filter would be three times as
+/// many, and none of them faster.
+pub struct Textured<'a> {
     /// The texture.
     pub texture: &'a Texture,
     /// The texture coordinates of the vertices.
     pub uvs: &'a [Vec2],
     /// How it is filtered.
-    pub filter: F,
+    pub filter: Filtering,
     /// The size of the picture in pixels.
     pub size: Vec2,
 }
 
-impl<F: Filter> Base for Textured<'_, F> {
-    type Constant = <F::Footprint as Asked>::Constant;
+// ANCHOR: textured
+impl Base for Textured<'_> {
+    /// What footprints are told by, for the filter that asks for them.
+    type Constant = Option<Gradients>;
     type Varying = Vec2;
 
     #[inline]
-    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Self::Constant {
-        F::Footprint::triangle(|| Gradients::new(clip(), vertices.map(|vertex| self.uvs[vertex]), self.size))
+    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Option<Gradients> {
+        let is_asked = self.filter == Filtering::Trilinear;
+        is_asked.then(|| Gradients::new(clip(), vertices.map(|vertex| self.uvs[vertex]), self.size))
     }
 
     #[inline]
@@ -94,11 +101,16 @@ impl<F: Filter> Base for Textured<'_, F> {
     }
 
     #[inline(always)]
-    fn color(&self, constant: Self::Constant, fragment: Fragment<Vec2>) -> Color {
+    fn color(&self, gradients: Option<Gradients>, fragment: Fragment<Vec2>) -> Color {
         let Fragment { x, y, varying: uv, .. } = fragment;
-        self.filter.color(self.texture, uv, F::Footprint::at(constant, x, y, uv))
+        match gradients {
+            Some(gradients) => Trilinear.color(self.texture, uv, Footprint::at(gradients, x, y, uv)),
+            None if self.filter == Filtering::Nearest => Nearest.color(self.texture, uv, ()),
+            None => Bilinear.color(self.texture, uv, ()),
+        }
     }
 }
+// ANCHOR_END: textured
 
 /// A surface's place in the world, and what it is lit by.
 #[derive(Clone, Copy)]
@@ -115,6 +127,7 @@ pub struct Placed<'a> {
     pub lamps: &'a Lamps,
 }
 
+// ANCHOR: placed
 impl Placed<'_> {
     /// Where a vertex is in the world, and its unit normal there.
     #[inline]
@@ -123,8 +136,10 @@ impl Placed<'_> {
         (self.to_world.transform_point3(self.mesh.positions()[vertex]), normal)
     }
 }
+// ANCHOR_END: placed
 
 /// How colours are lit.
+// ANCHOR: lighting
 pub trait Lighting {
     /// What is interpolated.
     type Varying: Varying + 'static;
@@ -133,6 +148,7 @@ pub trait Lighting {
     /// What is seen of a colour at a pixel.
     fn lit(&self, base: Color, varying: Self::Varying) -> Color;
 }
+// ANCHOR_END: lighting
 
 /// Not at all.
 impl Lighting for () {
@@ -169,6 +185,7 @@ impl Lighting for AtVertices<'_> {
 /// By Blinn's model at the pixels.
 pub struct AtPixels<'a>(pub Placed<'a>);
 
+// ANCHOR: at_pixels
 impl Lighting for AtPixels<'_> {
     type Varying = (Vec3, Vec3);
 
@@ -182,6 +199,7 @@ impl Lighting for AtPixels<'_> {
         self.0.lamps.blinn(point, normal, self.0.eye).color(base)
     }
 }
+// ANCHOR_END: at_pixels
 
 /// The shader: colours, lit.
 pub struct Look<'a, B, L> {

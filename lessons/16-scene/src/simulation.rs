@@ -156,12 +156,15 @@ impl Simulation {
     }
     // ANCHOR_END: replay
 
-    /// Moves the eye to the right around the middle, to stop `n` of so many on a full turn.
-    ///
-    /// # Panics
-    /// Where there are no stops.
-    pub fn turn(&mut self, n: u16, stops: u16) {
-        self.orbit = self.orbit.map(|orbit| orbit.turned(n, stops));
+    /// Where the eye is, if it can move.
+    #[must_use]
+    pub fn orbit(&self) -> Option<Orbit> {
+        self.orbit
+    }
+
+    /// Puts the eye elsewhere, if it can move.
+    pub fn look_from(&mut self, orbit: Orbit) {
+        self.orbit = self.orbit.and(Some(orbit));
     }
 
     /// Pulls what is seen by so many pixels to the right and down, in a picture so many pixels high.

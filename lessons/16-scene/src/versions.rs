@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// p_x = (x/5 + 1)·w/2 and p_y = h − (y/5 + 1)·h/2, rows from the top.
+    /// The pixel (x/5 + 1)·w/2, h − (y/5 + 1)·h/2, with rows from the top.
     #[test]
     fn the_first_projection_is_the_assignments_formula() {
         let size = Vec2::new(800.0, 600.0);

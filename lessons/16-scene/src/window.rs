@@ -37,7 +37,7 @@ use pace::Pace;
 ///
 /// # Errors
 /// Where there is no display, or the system gives no window or no pixels.
-pub fn run(simulation: Simulation, (width, height): (u16, u16)) -> anyhow::Result<()> {
+pub fn run(simulation: &mut Simulation, (width, height): (u16, u16)) -> anyhow::Result<()> {
     let events = event_loop()?;
     let mut app = App {
         simulation,
@@ -60,21 +60,21 @@ fn event_loop() -> anyhow::Result<EventLoop<()>> {
     set_hook(hook);
     let why = match made {
         Ok(Ok(events)) => return Ok(events),
-        Ok(Err(error)) => reason(&error.to_string()).to_string(),
+        Ok(Err(error)) => error.to_string(),
         Err(panic) => panic.downcast::<String>().map_or_else(|_| "a library is missing".into(), |why| *why),
     };
-    bail!("there is no display to open a window on ({why}): --out FILE draws into a file instead")
+    bail!("there is no display to open a window on ({}): --out FILE draws into a file instead", reason(&why))
 }
 
-/// What winit says, without the line of its source that it begins with.
+/// What winit says, without the line of its source that it may begin with.
 fn reason(error: &str) -> &str {
     let said = error.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
     said.map_or(error, |(_, said)| said).trim_end_matches('.')
 }
 
 /// A simulation, and its window once there is one.
-struct App {
-    simulation: Simulation,
+struct App<'a> {
+    simulation: &'a mut Simulation,
     /// The window's size at first.
     size: LogicalSize<u16>,
     shown: Option<Shown>,
@@ -85,7 +85,7 @@ struct App {
     outcome: anyhow::Result<()>,
 }
 
-impl App {
+impl App<'_> {
     fn end(&mut self, events: &ActiveEventLoop, outcome: anyhow::Result<()>) {
         self.outcome = outcome;
         events.exit();
@@ -106,7 +106,7 @@ impl App {
     // ANCHOR_END: keys
 }
 
-impl ApplicationHandler for App {
+impl ApplicationHandler for App<'_> {
     fn resumed(&mut self, events: &ActiveEventLoop) {
         if self.shown.is_none() {
             match Shown::open(events, self.size) {
@@ -123,7 +123,7 @@ impl ApplicationHandler for App {
         self.simulation.advance(shown.pace.passed(Instant::now()));
         match event {
             WindowEvent::RedrawRequested => {
-                if let Err(error) = shown.draw(&mut self.simulation) {
+                if let Err(error) = shown.draw(self.simulation) {
                     self.end(events, Err(error));
                 }
                 return;
@@ -180,7 +180,7 @@ impl ApplicationHandler for App {
             }
         }
         match shown.pace.title_due(now) {
-            Some(due) if due <= now => shown.write_title(&self.simulation, now),
+            Some(due) if due <= now => shown.write_title(self.simulation, now),
             Some(due) if flow == ControlFlow::Wait => flow = ControlFlow::WaitUntil(due),
             _ => {}
         }
@@ -281,5 +281,24 @@ impl Shown {
             "Version {number}: {milliseconds:.1} ms a frame, {drawn}, {width}x{height}{samples}{paused}"
         );
         self.window.set_title(title);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_winit_says_is_told_without_its_source() {
+        for (said, told) in [
+            ("os error at /home/a/src/mod.rs:765: neither A nor B is set.", "neither A nor B is set"),
+            ("os error at C:\\mod.rs:7: no library: libX11.so.6: none", "no library: libX11.so.6: none"),
+            (
+                "Library libxkbcommon-x11.so could not be loaded.",
+                "Library libxkbcommon-x11.so could not be loaded",
+            ),
+        ] {
+            assert_eq!(reason(said), told);
+        }
     }
 }

@@ -55,6 +55,17 @@ fn other_signs_are_other_places() {
     }
 }
 
+/// With a quarter turn about x only the difference of the other two angles counts: different angles, one matrix. Whoever keeps the
+/// matrix alone cannot turn on about one of them.
+#[test]
+fn a_matrix_does_not_tell_its_angles() {
+    let matrix = |x, y, z| entity(Vec3::ZERO, Vec3::new(x, y, z), Vec3::ONE).to_world();
+    assert!(matrix(90.0, 50.0, 20.0).abs_diff_eq(matrix(90.0, 100.0, 70.0), 1e-6));
+    assert!(!matrix(80.0, 50.0, 20.0).abs_diff_eq(matrix(80.0, 100.0, 70.0), 0.1));
+    // One step on about x from either: they part.
+    assert!(!matrix(91.0, 50.0, 20.0).abs_diff_eq(matrix(91.0, 100.0, 70.0), 1e-3));
+}
+
 /// The usual perspective looks along −z: of what stands at z = +2, as the numbers are written, it shows nothing.
 #[test]
 fn with_its_own_numbers_all_is_behind_the_eye() {

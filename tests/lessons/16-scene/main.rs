@@ -28,3 +28,4 @@ mod stage;
 mod truth;
 mod usage;
 mod versions;
+mod wires;
