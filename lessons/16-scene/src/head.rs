@@ -33,16 +33,23 @@ pub const STAGES: &[Stage] = &[
 ];
 // ANCHOR_END: stages
 
+impl Stage {
+    /// Its mesh.
+    ///
+    /// # Errors
+    /// Where the file cannot be read.
+    pub fn mesh(&self, paint: &Paint) -> anyhow::Result<Mesh> {
+        let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets")).join(self.file);
+        let model = Model::read(&path, Attributes { normals: true, uvs: true })?;
+        Ok(Mesh::new(&Shape::of(&model, &corner_normals(&model)), paint.clone()))
+    }
+}
+
 /// The head, in all its levels.
 ///
 /// # Errors
 /// Where a file cannot be read.
 pub fn head(paint: &Paint) -> anyhow::Result<Arc<Levels>> {
-    let assets = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets"));
-    let level = |stage: &Stage| {
-        let model = Model::read(&assets.join(stage.file), Attributes { normals: true, uvs: true })?;
-        let shape = Shape::of(&model, &corner_normals(&model));
-        Ok((Mesh::new(&shape, paint.clone()), stage.distance))
-    };
+    let level = |stage: &Stage| Ok((stage.mesh(paint)?, stage.distance));
     Ok(Levels::new(STAGES.iter().map(level).collect::<anyhow::Result<_>>()?))
 }

@@ -54,11 +54,9 @@ pub const METHODS: &[Method<Sizes>] = &[
             [64, 128],
             [96, 192],
             [128, 256],
-            [192, 384],
-            [256, 512],
         ],
-        promise: "the fewest triangles in 14 steps, each about twice the last, that are half a pixel off at most",
-        failure: "where the eye is so near that a unit is more than 13,000 px; all steps are in memory, 15 MB",
+        promise: "the fewest triangles in 12 steps, each about twice the last, that are half a pixel off at most",
+        failure: "where the eye is so near that the radius is more than 3,300 px; all steps are in memory, 5 MB for each paint",
     },
 ];
 

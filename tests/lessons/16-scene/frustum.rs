@@ -93,7 +93,7 @@ fn nothing_that_is_in_the_frustum_is_left_out() {
     assert!(inside > 8_000 && left_out as f64 > 0.9 * outside as f64, "{inside}, {left_out} of {outside}");
 }
 
-/// All vertices are within the sphere, whatever the transform: by products in `f64` with the very numbers that are drawn with.
+/// All vertices are within the sphere, whatever the transform: by products in `f64`.
 #[test]
 fn an_entity_is_within_its_bounds() {
     let mut rng = Rng::with_seed(1);
@@ -103,8 +103,7 @@ fn an_entity_is_within_its_bounds() {
         let Sphere { center, radius } = entity.bounds();
         let [x, y, z] = entity.degrees.as_dvec3().to_array().map(f64::to_radians);
         for p in entity.levels.finest().positions() {
-            let p = p.as_dvec3() * entity.scale.as_dvec3();
-            let p = about(1, z, p);
+            let p = about(1, z, p.as_dvec3() * entity.scale.as_dvec3());
             let p = about(0, y, about(2, x, p)) + entity.position.as_dvec3();
             let distance = p.distance(center.as_dvec3());
             // Degrees become radians in `f32`: 720 of them are known to 2⁻²¹ radians.
@@ -113,6 +112,25 @@ fn an_entity_is_within_its_bounds() {
         }
     }
     assert!(fullest > 0.99, "{fullest}");
+}
+
+/// Far from the origin an `f32` knows places to 1/16 of a unit: a small entity there is as large as rounding makes it.
+#[test]
+fn bounds_hold_what_rounding_moves() {
+    let mut rng = Rng::with_seed(2);
+    let mut moved = 0;
+    for _ in 0..1000 {
+        let entity = entity(&mut rng);
+        let entity = Entity { position: entity.position * 1e4, scale: entity.scale * 0.01, ..entity };
+        let (Sphere { center, radius }, to_world) = (entity.bounds(), entity.to_world());
+        let (_, unrounded) = entity.levels.bounds();
+        for p in entity.levels.finest().positions() {
+            let distance = to_world.transform_point3(*p).distance(center);
+            assert!(distance <= radius, "{distance}, not within {radius}");
+            moved += usize::from(distance > unrounded * entity.scale.abs().max_element());
+        }
+    }
+    assert!(moved > 100, "{moved}");
 }
 
 /// Turns in the plane of two axes: 0 from z to x (about y), 1 from x to y (about z), 2 from y to z (about x).

@@ -31,7 +31,7 @@ fn nearest(shape: &Shape, corner: impl Fn(Vec3) -> DVec3) -> f64 {
 fn the_error_is_that_of_the_facet_nearest_to_the_middle() {
     let mut sizes =
         vec![[2, 3], [2, 4], [3, 3], [2, 100], [100, 3], [5, 7], [7, 5], [33, 20], [64, 9], [101, 200]];
-    sizes.extend(method("by-size").iter().take(12));
+    sizes.extend(method("by-size"));
     for [latitudes, longitudes] in sizes {
         let shape = sphere(latitudes, longitudes);
         let expected = error(latitudes, longitudes);
@@ -60,8 +60,8 @@ fn steps_double() {
     for fixed in ["8x16", "32x64", "128x256"] {
         assert!(sizes.contains(&method(fixed)[0]), "{fixed} is one of the steps");
     }
-    let radii = [[8, 16], [32, 64], [128, 256], [256, 512]].map(|[a, b]| (0.5 / error(a, b)).round());
-    assert_eq!(radii, [13.0, 208.0, 3321.0, 13_281.0]);
+    let radii = [[8, 16], [32, 64], [128, 256]].map(|[a, b]| (0.5 / error(a, b)).round());
+    assert_eq!(radii, [13.0, 208.0, 3321.0]);
 }
 
 /// Sizes of pictures, square or not.
@@ -98,10 +98,15 @@ fn outlines(count: usize, mut visit: impl FnMut(&Stage, &Ellipse)) {
 /// the picture's corner, and its outline is in neither.
 #[test]
 fn by_size_is_off_by_half_a_pixel_at_most() {
-    let mut finer = [0; 14];
-    let mut worst = 0.0_f64;
+    let mut finer = [0; 12];
+    let (mut worst, mut too_near) = (0.0_f64, 0);
     outlines(1500, |stage, outline| {
-        let chosen = stage.chosen(&STEPS);
+        let pixels = stage.pixels_per_unit(&STEPS);
+        if pixels > 3320.0 {
+            too_near += 1;
+            return;
+        }
+        let chosen = STEPS.choose(pixels);
         let off = stage.off(chosen, outline);
         worst = worst.max(off);
         assert!(off <= 0.5, "{off} px by {} triangles: {stage:?}", chosen.triangles());
@@ -110,8 +115,11 @@ fn by_size_is_off_by_half_a_pixel_at_most() {
         let needed = all.iter().position(|(mesh, _)| stage.off(mesh, outline) <= 0.5).unwrap();
         finer[number(chosen.triangles()) - needed] += 1;
     });
-    assert!(worst > 0.4, "at most {worst} px");
-    assert!(finer[..3].iter().sum::<i32>() > 1275, "{finer:?}");
+    assert!(
+        worst > 0.4 && too_near < 50,
+        "at most {worst} px; {too_near} nearer than the finest step reaches"
+    );
+    assert!(finer[..3].iter().sum::<i32>() > 1250, "{finer:?}");
 }
 
 /// What is fixed is off by as much as it happens to be, and drawn in as many triangles.

@@ -66,7 +66,11 @@ const TABLE: &[Case<Make>] = &[
         (Outline, || Stage::at(-0.98, 0.1, -20.0).seen([160, 120], 0.1)),
         off![5561, 251, 24],
     ),
-    ("nearer than the finest step reaches", (Outline, near_the_finest_step), off![7920, 2518, 520, px(220)]),
+    (
+        "nearer than the finest step reaches",
+        (Outline, near_the_finest_step),
+        off![7920, 4817, 1120, px(1120)],
+    ),
     // The place in the picture, and its shape.
     (
         "in the corner of a wide view",
@@ -167,7 +171,7 @@ fn turned(degrees: [f32; 3]) -> Stage {
 
 /// Before a telescope that looks at the middle of a facet of the finest step, on the outline: 76,394 px in radius.
 fn near_the_finest_step() -> Stage {
-    let half_a_cell = 180.0 / 512.0;
+    let half_a_cell = 180.0 / 256.0;
     let degrees = Vec3::new(0.0, half_a_cell, half_a_cell);
     Stage { degrees, ..Stage::at(-1.000_004, 0.0, -30.0).seen([160, 120], 0.003) }
 }

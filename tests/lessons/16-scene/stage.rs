@@ -54,12 +54,11 @@ impl Stage {
         Entity { position, degrees, scale, ..Entity::new(levels.clone()) }
     }
 
-    /// The mesh that is drawn of several.
-    pub(crate) fn chosen<'a>(&self, levels: &'a Arc<Levels>) -> &'a Mesh {
-        let size = Image::size(Target::new(self.size[0], self.size[1]).picture());
-        let bounds = self.entity(levels).bounds();
-        let pixels = pixels_per_unit(&(self.projection * self.inverse_camera), &bounds, size);
-        levels.choose(pixels * self.scale.abs().max_element())
+    /// At most so many pixels is a unit of the sphere's space.
+    pub(crate) fn pixels_per_unit(&self, levels: &Arc<Levels>) -> f32 {
+        let to_clip = self.projection * self.inverse_camera;
+        let pixels = pixels_per_unit(&to_clip, &self.entity(levels).bounds(), self.pixels().as_vec2());
+        pixels * self.scale.abs().max_element()
     }
 
     /// Draws it white, without light, on black.
