@@ -78,3 +78,32 @@ fn spectral_norm([a, b]: [DVec3; 2]) -> f64 {
     ((aa + bb) / 2.0 + ((aa - bb) / 2.0).hypot(ab)).sqrt()
 }
 // ANCHOR_END: pixels_per_unit
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use perspective::perspective;
+
+    fn ball(x: f32, y: f32, z: f32, radius: f32) -> Sphere {
+        Sphere { center: Vec3::new(x, y, z), radius }
+    }
+
+    /// In a view of 90 degrees the left plane is x = z: (−3, 0, −1) is √2 outside of it, (−2, 0, −1) half of that.
+    #[test]
+    fn a_ball_beside_the_left_plane() {
+        let to_clip = perspective(90.0, 1.0, 0.1, 100.0).unwrap();
+        assert!(!sees(&to_clip, &ball(-3.0, 0.0, -1.0, 1.0)));
+        assert!(sees(&to_clip, &ball(-3.0, 0.0, -1.0, 1.42)));
+        assert!(sees(&to_clip, &ball(-2.0, 0.0, -1.0, 1.0)));
+    }
+
+    /// 45 degrees, 1024 × 768: 384 · cot 22.5° = 927 px to the side a unit away, and √(927² + 512² + 384²) in the corner.
+    #[test]
+    fn a_unit_in_pixels() {
+        let to_clip = perspective(45.0, 4.0 / 3.0, 0.1, 100.0).unwrap();
+        let size = Vec2::new(1024.0, 768.0);
+        let bound = pixels_per_unit(&to_clip, &ball(0.0, 0.0, -11.0, 1.0), size);
+        assert!((bound - 112.652).abs() < 0.001, "{bound}");
+        assert_eq!(pixels_per_unit(&to_clip, &ball(0.0, 0.0, -1.0, 1.0), size), f32::INFINITY);
+    }
+}

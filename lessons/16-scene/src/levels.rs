@@ -153,3 +153,41 @@ pub fn error(latitudes: usize, longitudes: usize) -> f64 {
     1.0 - libm::cos(h) / libm::hypot(1.0, sin_m * libm::tan(a))
 }
 // ANCHOR_END: error
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+
+    /// 8 and 16: cos 11.25° / √(1 + cos² 11.25° · tan² 11.25°); 3 and 6: cos² 30°.
+    #[test]
+    fn errors_of_the_first_steps() {
+        assert!((error(8, 16) - 0.0374).abs() < 5e-5, "{}", error(8, 16));
+        assert!((error(3, 6) - 0.25).abs() < 1e-15, "{}", error(3, 6));
+        // With 2 latitudes and 4 longitudes it is an octahedron, whose sides are 1/√3 from the middle.
+        assert!((error(2, 4) - (1.0 - 1.0 / 3.0_f64.sqrt())).abs() < 1e-15, "{}", error(2, 4));
+    }
+
+    /// Half a pixel is still good enough; of what is too coarse at any size the finest is taken, even where the size is none.
+    #[test]
+    fn the_coarsest_that_is_fine_enough() {
+        let mesh = |n| Mesh::new(&sphere(n, 2 * n), Paint::Color(Color::WHITE));
+        let levels = Levels::new(vec![(mesh(2), 0.25), (mesh(4), 0.0625), (mesh(8), 0.015_625)]);
+        for (pixels, triangles) in [
+            (0.0, 8),
+            (2.0, 8),
+            (2.001, 48),
+            (8.0, 48),
+            (8.001, 224),
+            (32.0, 224),
+            (1e9, 224),
+            (f32::INFINITY, 224),
+        ] {
+            assert_eq!(levels.choose(pixels).triangles(), triangles, "{pixels}");
+        }
+        assert_eq!(levels.choose(f32::NAN).triangles(), 224);
+        // Of one that is exact there is nothing to choose from.
+        assert_eq!(Levels::one(mesh(2)).choose(f32::INFINITY).triangles(), 8);
+    }
+}
