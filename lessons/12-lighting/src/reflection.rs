@@ -92,13 +92,14 @@ impl<H: Highlight, N: Normalisation, P: Power> PointLit<H, N, P> {
         if n_dot_l <= 0.0 {
             return Reflected { body: ambient, highlight: 0.0 };
         }
+        let arriving = falloff.share(to_light.length_squared());
+        let body = ambient + diffuse * arriving * n_dot_l;
+        if specular == 0.0 {
+            return Reflected { body, highlight: 0.0 };
+        }
         // Rounding may bring a cosine above 1, which the power would make much of.
         let cosine = H::cosine::<N>(n, l, v(), n_dot_l).clamp(0.0, 1.0);
-        let arriving = falloff.share(to_light.length_squared());
-        Reflected {
-            body: ambient + diffuse * arriving * n_dot_l,
-            highlight: specular * arriving * self.power.of(cosine),
-        }
+        Reflected { body, highlight: specular * arriving * self.power.of(cosine) }
     }
 }
 // ANCHOR_END: reflect

@@ -8,7 +8,7 @@
 
 use common::{Color, Vec2, Vec4};
 
-use crate::footprint::{Asked, Axes, Footprint, level};
+use crate::footprint::{Asked, Axes, Footprint, level_of};
 use crate::layout::Layout;
 use crate::texture::{Level, Texture};
 use crate::wrap::Wrap;
@@ -86,10 +86,11 @@ fn mix(from: Vec4, to: Vec4, share: f32) -> Vec4 {
 #[must_use]
 pub fn trilinear<L: Layout>(texture: &Texture<L>, uv: Vec2, level: f32) -> Vec4 {
     let (levels, wrap) = (texture.levels(), texture.wrap);
-    // A cast turns NaN and what is below 0 into 0.
-    let finer = level as usize;
     let last = levels.len() - 1;
-    if finer >= last {
+    // Counted, not cast: how often is what the last pixel's level tells a processor, which so fetches texels while this one's
+    // is still computed. NaN and what is below 0 is at no level.
+    let finer = (0..last).take_while(|&finer| level >= (finer + 1) as f32).count();
+    if finer == last {
         return bilinear(&levels[last], uv, wrap);
     }
     let share = level - finer as f32;
@@ -172,8 +173,15 @@ impl Filter for Trilinear {
 
     #[inline]
     fn color<L: Layout>(self, texture: &Texture<L>, uv: Vec2, footprint: Footprint) -> Color {
-        let level = level(footprint, texture.base().size());
-        texture.base().codes().color(trilinear(texture, uv, level))
+        let base = texture.base();
+        let longer_squared = footprint.longer_squared(base.size());
+        // Where the texture is enlarged it takes no logarithm to know the level.
+        let light = if longer_squared > 1.0 {
+            trilinear(texture, uv, level_of(longer_squared))
+        } else {
+            bilinear(base, uv, texture.wrap)
+        };
+        base.codes().color(light)
     }
 }
 

@@ -42,9 +42,14 @@ pub struct Axes {
 #[inline]
 #[must_use]
 pub fn level(footprint: Footprint, size: Vec2) -> f32 {
-    let [x, y] = [footprint.x, footprint.y].map(|side| (side * size).length_squared());
-    // Half the logarithm of the square: no root. libm's is the same on every platform.
-    0.5 * libm::log2f(x.max(y))
+    level_of(footprint.longer_squared(size))
+}
+
+/// The same from the square of the longer side in texels: half its logarithm, and no root. libm's is the same on every
+/// platform.
+#[inline]
+pub(crate) fn level_of(longer_squared: f32) -> f32 {
+    0.5 * libm::log2f(longer_squared)
 }
 // ANCHOR_END: level
 
@@ -54,6 +59,14 @@ impl Footprint {
     #[must_use]
     pub fn texels(self, size: Vec2) -> Self {
         Self { x: self.x * size, y: self.y * size }
+    }
+
+    /// The square of the longer side, in texels of a texture of that size.
+    #[inline]
+    #[must_use]
+    pub fn longer_squared(self, size: Vec2) -> f32 {
+        let Self { x, y } = self.texels(size);
+        x.length_squared().max(y.length_squared())
     }
 
     /// The axes of the ellipse into which the footprint's two sides, as the columns of a matrix J, take the circle of

@@ -77,7 +77,7 @@ impl Codes {
     #[inline]
     fn code(&self, light: f32) -> u8 {
         // A float cast turns NaN and what is below 0 into 0.
-        let code = self.first[((light * 16.0) as usize).min(FIRST - 1)];
+        let code = self.first[usize::from((light * 16.0) as u16).min(FIRST - 1)];
         code + u8::from(light >= self.next[usize::from(code)])
     }
     // ANCHOR_END: color

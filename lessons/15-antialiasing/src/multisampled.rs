@@ -181,24 +181,26 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
         let width = self.width();
         let Self { colors, depths: kept, stencils, alpha_to_coverage: by_alpha, .. } = self;
         let by_alpha = *by_alpha;
+        let small = Self::PLACES.small(&setup, &offsets);
         for y in setup.bounds.min.y..=setup.bounds.max.y {
-            let centers = setup.row(y);
-            let row = Self::PLACES.row(&setup, y, &centers.pixels);
-            let mut edges = centers.edges;
-            if N > 1 {
-                edges += setup.right * (i64::from(row.touched.start) - centers.pixels.start) as f64;
-            }
+            let row = Self::PLACES.row(&setup, small.as_ref(), y);
+            let mut edges = row.edges;
             let first = y as usize * width;
             for x in row.touched.clone() {
-                let (covered, at, pixel) = (row.mask(x), edges, first + x as usize);
+                let (covered, at, pixel) = (row.mask(x, edges), edges, first + x as usize);
                 edges += setup.right;
+                if N > 1 && covered == 0 {
+                    continue;
+                }
                 // 1. Which samples are seen, and how deep they are.
                 let depths = plane.depths(at, setup.per_area);
                 let (kept, stencils) = (&mut kept[pixel], &mut stencils[pixel]);
                 let mut test = |s: usize| state.test(IVec2::new(x, y), depths[s], kept[s], &mut stencils[s]);
                 let mut seen = 0;
-                if covered == all::<N>() {
+                if covered == all::<N>() || size_of::<K>() == 0 {
+                    // Without a stencil no test leaves a trace, and to test all samples at once takes less than to choose.
                     (0..N).for_each(|s| seen |= if test(s) { 1 << s } else { 0 });
+                    seen &= covered;
                 } else {
                     (0..N).for_each(|s| seen |= u32::from(covered >> s & 1 == 1 && test(s)) << s);
                 }
@@ -207,7 +209,7 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                     let at = match H::AT {
                         _ if N == 1 => at,
                         At::Center => at,
-                        At::Centroid if centers.pixels.contains(&x.into()) => at,
+                        At::Centroid if row.has_center(x, at) => at,
                         At::Centroid => at_centroid(at, &offsets, covered),
                         At::Sample => at_centroid(at, &offsets, samples),
                     };
@@ -221,7 +223,8 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                     if state.writes_depth() && samples == all::<N>() {
                         *kept = depths;
                     } else if state.writes_depth() {
-                        (0..N).filter(|s| samples >> s & 1 == 1).for_each(|s| kept[s] = depths[s]);
+                        (0..N)
+                            .for_each(|s| kept[s] = if samples >> s & 1 == 1 { depths[s] } else { kept[s] });
                     }
                 };
                 if N > 1 && H::AT == At::Sample {

@@ -36,9 +36,9 @@ fn change_samples<const N: usize>(
     mut change: impl FnMut(Color) -> Color,
 ) {
     for (s, color) in colors.iter_mut().enumerate() {
-        if samples >> s & 1 == 1 {
-            *color = change(*color);
-        }
+        // Chosen, not branched to: which samples an edge covers is hard to predict.
+        let changed = change(*color);
+        *color = if samples >> s & 1 == 1 { changed } else { *color };
     }
 }
 
@@ -101,7 +101,9 @@ impl<const N: usize> Storage<N> for Compressed<N> {
         }
         change_samples(several, samples, change);
         *one = several[0];
-        *has_several = several.iter().any(|color| color != one);
+        // All samples at once, as numbers: where the first differs is hard to predict, too.
+        let bits = |&Color { r, g, b, a }: &Color| u32::from_ne_bytes([r, g, b, a]);
+        *has_several = several.iter().fold(0, |sum, color| sum | (bits(color) ^ bits(one))) != 0;
     }
 
     #[inline]

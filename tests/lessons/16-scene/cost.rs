@@ -1,17 +1,23 @@
-//! What a frame costs besides time: no memory.
+//! What a frame costs besides time: no memory; and that a scene which uses nothing draws what lesson 15's loop does.
 
 use std::time::Duration;
 
+use antialiasing::Canvas;
+use antialiasing::multisampled::Multisampled;
+use antialiasing::storage::{Compressed, Samples};
 use clipping::Cull;
-use common::{Color, Mat4};
+use common::{Color, Format, Image, Mat4, Vec3};
 use lighting::PointLight;
-use perspective::perspective;
+use perspective::{perspective, view};
+use scene::head::head;
 use scene::keys::Key;
 use scene::levels::{Sizes, spheres};
 use scene::{
     Entity, Filtering, METHODS, Paint, Scene, Shading, Simulation, Style, Target, VERSIONS, render_scene,
 };
 use verify::method;
+
+use crate::plain::Plain;
 
 /// From the second frame on drawing allocates nothing, whichever way, though the scene turns.
 #[test]
@@ -66,4 +72,32 @@ fn a_finer_level_allocates_nothing() {
             assert_eq!(vertices.len() > 4, name == "by-size", "{vertices:?}");
         }
     }
+}
+
+/// One entity of one colour, without light: to the last pixel what lesson 15's loop draws with a shader of one line. (What it
+/// takes more, at most a 20th, is measured in `bench`.)
+#[test]
+fn a_scene_that_uses_nothing_is_lesson_15s_loop() {
+    fn check<C: Canvas<Stencil = ()>>(antialiased: bool) {
+        let (color, background) = (Color { a: 255, ..Color::rgb(200, 150, 100) }, Color::rgb(9, 8, 7));
+        let mut entity = Entity::new(head(&Paint::Color(color)).unwrap());
+        (entity.position, entity.degrees) = (Vec3::new(0.3, -0.2, 0.1), Vec3::new(20.0, 50.0, -30.0));
+        let style = Style { shading: Shading::Unlit, filter: Filtering::Trilinear, cull: Cull::Back };
+        let scene = Scene { entities: vec![entity.clone()], lights: Vec::new(), background, style };
+        let projection = perspective(45.0, 230.0 / 170.0, 0.1, 100.0).unwrap();
+        // So near that triangles are cut, and the finest level is the one to be drawn.
+        let camera = view(Vec3::new(0.4, 0.3, 1.0), Vec3::ZERO, Vec3::Y).unwrap();
+        let mut target = Target::new(230, 170);
+        target.antialiased = antialiased;
+        let drawn = render_scene(&scene, &mut target, &projection, &camera);
+        let to_clip = projection * camera * entity.to_world();
+        let plain = Plain { mesh: entity.levels.finest(), to_clip, color };
+        let mut picture = Image::new(230, 170, Format::Rgb);
+        let counts = plain.draw(background, &mut C::new([230, 170]), &mut picture);
+        assert_eq!(drawn.triangles, counts);
+        assert!(counts.filled > 1000 && counts.outside > 0, "{counts:?}");
+        assert!(picture == *target.picture());
+    }
+    check::<Multisampled<1, Samples<1>>>(false);
+    check::<Multisampled<16, Compressed<16>>>(true);
 }

@@ -17,6 +17,7 @@ mod order;
 mod ownership;
 mod pictures;
 mod pixels;
+mod plain;
 mod planes;
 mod projections;
 mod samples;
