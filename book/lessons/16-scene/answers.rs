@@ -134,6 +134,18 @@ fn pixels_of_a_unit() {
     close(pixels_per_unit(&to_clip, &point, Vec2::new(1024.0, 768.0)).into(), 112.7, 0.05);
 }
 
+/// From so far away the coarsest head is good enough, and from near the finest is taken.
+#[test]
+fn heads_from_far_and_near() {
+    let levels = scene::head::head(&scene::Paint::Color(common::Color::WHITE)).unwrap();
+    let chosen = |distance: f32| {
+        let to_clip = perspective(45.0, 4.0 / 3.0, 0.1, 1000.0).unwrap() * translate(Vec3::NEG_Z * distance);
+        let bounds = scene::Entity::new(levels.clone()).bounds();
+        levels.choose(pixels_per_unit(&to_clip, &bounds, Vec2::new(1024.0, 768.0))).triangles()
+    };
+    assert_eq!([2.0, 200.0].map(chosen), [22_688, 638]);
+}
+
 /// The same plane in the world, and two balls.
 #[test]
 fn planes_of_a_matrix() {

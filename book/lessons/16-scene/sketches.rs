@@ -233,7 +233,7 @@ pub(super) fn levels() -> anyhow::Result<Drawing> {
     sheet.text(at(3.2, 30.0), "8x16", PURPLE);
     sheet.text(at(2.3, 2.4), "32x64", GREEN);
     sheet.text(at(2.6, 0.027), "128x256", ORANGE);
-    sheet.text(at(15.0, 0.115), "by-size", BLUE);
+    sheet.text(at(33.0, 0.125), "by-size", BLUE);
     sheet.text_left_of(at(96.0, 0.72), "½ px", BLACK);
     sheet.text_right_of(at(NEAREST, 100.0) + Vec2::new(0.0, 0.55), "pixels", GREY);
     sheet.text(Vec2::new(10.0, -1.9), "distance", GREY);

@@ -8,6 +8,7 @@ use blending::compare::Compare;
 use blending::translucent::{Translucent, faded};
 use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
+use clipping::render::Vertices;
 use common::{Image, Mat4, Vec2, Vec3};
 use transforms::inverse::elimination;
 
@@ -91,6 +92,7 @@ fn enqueue(
     queue: &mut Vec<Queued>,
     counts: &mut Counts,
 ) {
+    queue.reserve(scene.entities.len());
     for (number, entity) in scene.entities.iter().enumerate() {
         let bounds = entity.bounds();
         if entity.normals_to_world().is_none() {
@@ -210,6 +212,13 @@ impl Pass<'_> {
         }
     }
 
+    /// The kept list of vertices, with room for the finest level: nothing is allocated when the entity comes nearer.
+    fn vertices<'k, V: 'static>(&self, kept: &'k mut Kept) -> &'k mut Vertices<V> {
+        let vertices = kept.of::<Vertices<V>>();
+        vertices.reserve(self.entity.levels.finest().assembled().vertices.len());
+        vertices
+    }
+
     fn lit<C: Canvas<Stencil = ()>>(
         &self,
         base: impl Base,
@@ -222,7 +231,7 @@ impl Pass<'_> {
         let look = Look { mesh, to_clip, base, lighting };
         let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
         if !self.transparent {
-            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
+            return render_with(self.vertices(kept), &look, mesh, cull, State::OFF, canvas);
         }
         let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
         let state = State {
@@ -232,7 +241,7 @@ impl Pass<'_> {
             blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render_with(kept.of(), &shader, mesh, cull, state, canvas)
+        render_with(self.vertices(kept), &shader, mesh, cull, state, canvas)
     }
 }
 // ANCHOR_END: pass

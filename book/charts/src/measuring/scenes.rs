@@ -176,10 +176,10 @@ pub(super) const HEADS: Comparison =
     Comparison { name: "16-scene-heads", works: heads, measure: head_levels, draw: heads_chart };
 
 /// Of the eye from the head's middle.
-const DISTANCES: [usize; 4] = [2, 6, 20, 60];
+const DISTANCES: [usize; 4] = [2, 10, 40, 200];
 
 fn seen_from(distance: usize) -> anyhow::Result<[Mat4; 2]> {
-    let projection = perspective::perspective(45.0, 4.0 / 3.0, 0.1, 100.0)?;
+    let projection = perspective::perspective(45.0, 4.0 / 3.0, 0.1, 1000.0)?;
     Ok([projection, orbit(20.0, 5.0, distance as f32)])
 }
 
@@ -230,7 +230,7 @@ fn heads_chart(folder: &Path) -> anyhow::Result<Pictures> {
         let of_level = |(stage, (_, ms)): (&Stage, &(f64, f64))| (*ms, f64::from(stage.distance * pixels));
         let line_points: Vec<(f64, f64)> = STAGES.iter().zip(&times).map(of_level).collect();
         let chosen = line_points.iter().position(|point| point.1 <= 0.5);
-        if let (20, Some(n), Some(finest)) = (distance, chosen, times.last()) {
+        if let (40, Some(n), Some(finest)) = (distance, chosen, times.last()) {
             title = format!(
                 "From {distance} units away the head needs {} triangles, and takes {} ms, its finest level {}",
                 STAGES[n].triangles,
