@@ -31,7 +31,7 @@ const SIZE: [u16; 2] = [1024, 768];
 
 /// The course's own scene at its beginning, and the matrices of its eye.
 fn own() -> (Scene, [Mat4; 2]) {
-    let mut scene = (VERSION.scene)(*method(METHODS, "by-size")).expect("its files are assets");
+    let mut scene = (VERSION.scene)(method(METHODS, "by-size")).expect("its files are assets");
     VERSION.animate.expect("it moves")(&mut scene, 0.0);
     let projection = (VERSION.projection)(Image::new(SIZE[0], SIZE[1], Format::Rgb).size());
     let camera = VERSION.camera.expect("it has an eye that moves").camera();
