@@ -53,8 +53,8 @@ struct View {
 }
 
 /// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
-/// then what one sees through, the farthest first, which leaves no depths behind. How near an entity is, is told by its
-/// middle. Of surfaces that are equally deep the one drawn first stays.
+/// then what one sees through, the farthest first, which leaves no depths behind. How near what is opaque is, is told by the
+/// far end of the sphere that it is within, for the others by its middle. Of surfaces that are equally deep the one drawn first stays.
 ///
 /// `inverse_camera` is the inverse of the camera's own matrix, from the world to eye space; where it has no inverse itself,
 /// there is no eye, and nothing but the background is seen.
@@ -100,8 +100,10 @@ fn enqueue(
         } else if !sees(&view.to_clip, &bounds) {
             counts.outside += 1;
         } else if entity.alpha > 0.0 {
-            let depth = -inverse_camera.transform_point3(bounds.center).z;
+            let middle = -inverse_camera.transform_point3(bounds.center).z;
             let transparent = wireframe || !entity.is_opaque();
+            // What is large, a floor, is behind most of what is near its middle.
+            let depth = if transparent { middle } else { middle + bounds.radius };
             queue.push(Queued { transparent, depth, entity: number });
         }
     }
