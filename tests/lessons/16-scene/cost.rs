@@ -24,7 +24,7 @@ use crate::plain::Plain;
 fn a_frame_allocates_nothing_after_the_first() {
     for version in VERSIONS {
         for keys in [&[][..], &[Key::F1], &[Key::F2], &[Key::F1, Key::F2]] {
-            let mut simulation = Simulation::new(version, *method(METHODS, "by-size")).unwrap();
+            let mut simulation = Simulation::new(version, method::<Sizes>(METHODS, "by-size")).unwrap();
             keys.iter().for_each(|&key| simulation.press(key));
             let mut target = Target::new(160, 120);
             let mut allocations = || {
