@@ -32,7 +32,7 @@ const SIZE: [u16; 2] = [1024, 768];
 
 /// The course's own scene at its beginning, and the matrices of its eye.
 fn own() -> (Scene, [Mat4; 2]) {
-    let sizes: Sizes = method(METHODS, "by-size");
+    let sizes = method::<Sizes>(METHODS, "by-size");
     let mut scene = (VERSION.scene)(sizes).expect("its files are assets");
     VERSION.animate.expect("it moves")(&mut scene, 0.0);
     let projection = (VERSION.projection)(Image::new(SIZE[0], SIZE[1], Format::Rgb).size());
