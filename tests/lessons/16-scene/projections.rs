@@ -169,7 +169,7 @@ fn w_is_needed_after_the_division() {
         let at = vertices.map(|vertex| {
             window(to_clip * mesh.positions()[vertex].extend(1.0), size()).expect("before the eye")
         });
-        let flat = Triangle::new(at.map(|at| at.xy()));
+        let flat = Triangle::new(at.map(Vec4Swizzles::xy));
         let uvs = vertices.map(|vertex| mesh.uvs()[vertex].as_dvec2());
         for (x, y) in (0..i32::from(SIZE[0])).flat_map(|x| (0..i32::from(SIZE[1])).map(move |y| (x, y))) {
             if !flat.covers(x, y) {
