@@ -69,6 +69,14 @@ impl<V> Default for Vertices<V> {
     }
 }
 
+impl<V> Vertices<V> {
+    /// Makes room for a mesh of so many vertices: up to that, drawing allocates nothing.
+    pub fn reserve(&mut self, vertices: usize) {
+        self.0.clear();
+        self.0.reserve(vertices);
+    }
+}
+
 /// A vertex once it is computed.
 struct Computed<V> {
     clip: ClipVertex<V>,

@@ -61,6 +61,7 @@ impl Footprint {
         Self { x: self.x * size, y: self.y * size }
     }
 
+    // ANCHOR: longer_squared
     /// The square of the longer side, in texels of a texture of that size.
     #[inline]
     #[must_use]
@@ -68,6 +69,7 @@ impl Footprint {
         let Self { x, y } = self.texels(size);
         x.length_squared().max(y.length_squared())
     }
+    // ANCHOR_END: longer_squared
 
     /// The axes of the ellipse into which the footprint's two sides, as the columns of a matrix J, take the circle of
     /// diameter 1: lengths are J's singular values, the roots of the eigenvalues of J·Jᵀ, and the direction is the

@@ -82,22 +82,6 @@ impl<const N: usize> Places<N> {
         self.places.map(|place| setup.offset(place))
     }
 
-    // ANCHOR: small
-    /// What edge functions are more at each sample than they need, of a triangle so small that it is less work to ask each
-    /// pixel of its box than to find the ends of `N` rows of samples: one at most 16 px wide in the picture. Nowhere near the box
-    /// may its edge functions be too large for an `i32`.
-    #[inline(always)]
-    pub(crate) fn small(&self, setup: &Setup, offsets: &[DVec3; N]) -> Option<Small<N>> {
-        let size = (setup.bounds.max - setup.bounds.min).as_dvec2();
-        let steps = setup.right.abs() * (size.x + 1.0) + setup.up.abs() * (size.y + 1.0);
-        let largest = (setup.edges.abs() + steps).max_element();
-        (N > 1 && size.x < 16.0 && largest < f64::from(1 << 30)).then(|| {
-            let margins = offsets.map(|offset| offset - setup.inside);
-            Small { margins: [0, 1, 2].map(|side| margins.map(|margin| margin[side] as i32)) }
-        })
-    }
-    // ANCHOR_END: small
-
     // ANCHOR: row
     /// The samples of a row of pixels that a triangle covers.
     #[inline(always)]
@@ -133,6 +117,23 @@ impl<const N: usize> Places<N> {
 /// least.
 pub(crate) struct Small<const N: usize> {
     margins: [[i32; N]; 3],
+}
+
+impl<const N: usize> Small<N> {
+    // ANCHOR: small
+    /// Of a triangle so small that it is less work to ask each pixel of its box than to find the ends of `N` rows of samples:
+    /// one at most 16 px wide in the picture. Nowhere near the box may its edge functions be too large for an `i32`.
+    #[inline(always)]
+    pub(crate) fn new(setup: &Setup, offsets: &[DVec3; N]) -> Option<Self> {
+        let size = (setup.bounds.max - setup.bounds.min).as_dvec2();
+        let steps = setup.right.abs() * (size.x + 1.0) + setup.up.abs() * (size.y + 1.0);
+        let largest = (setup.edges.abs() + steps).max_element();
+        (N > 1 && size.x < 16.0 && largest < f64::from(1 << 30)).then(|| {
+            let margins = offsets.map(|offset| offset - setup.inside);
+            Self { margins: [0, 1, 2].map(|side| margins.map(|margin| margin[side] as i32)) }
+        })
+    }
+    // ANCHOR_END: small
 }
 
 /// A row of pixels, some of whose samples a triangle covers.

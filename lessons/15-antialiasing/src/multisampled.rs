@@ -19,7 +19,7 @@ use zbuffer::{DepthBuffer, depth_at};
 
 use crate::alpha::alpha_to_coverage;
 use crate::canvas::Canvas;
-use crate::coverage::{Places, all};
+use crate::coverage::{Places, Small, all};
 use crate::pattern::pattern;
 use crate::resolve::Resolve;
 use crate::storage::Storage;
@@ -181,7 +181,7 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
         let width = self.width();
         let Self { colors, depths: kept, stencils, alpha_to_coverage: by_alpha, .. } = self;
         let by_alpha = *by_alpha;
-        let small = Self::PLACES.small(&setup, &offsets);
+        let small = Small::new(&setup, &offsets);
         for y in setup.bounds.min.y..=setup.bounds.max.y {
             let row = Self::PLACES.row(&setup, small.as_ref(), y);
             let mut edges = row.edges;

@@ -8,6 +8,7 @@ use blending::compare::Compare;
 use blending::translucent::{Translucent, faded};
 use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
+use clipping::render::Vertices;
 use common::{Image, Mat4, Vec2, Vec3};
 use transforms::inverse::elimination;
 
@@ -52,8 +53,8 @@ struct View {
 }
 
 /// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
-/// then what one sees through, the farthest first, which leaves no depths behind. How near an entity is, is told by its
-/// middle. Of surfaces that are equally deep the one drawn first stays.
+/// then what one sees through, the farthest first, which leaves no depths behind. How near what is opaque is, is told by the
+/// far end of the sphere that it is within, for the others by its middle. Of surfaces that are equally deep the one drawn first stays.
 ///
 /// `inverse_camera` is the inverse of the camera's own matrix, from the world to eye space; where it has no inverse itself,
 /// there is no eye, and nothing but the background is seen.
@@ -91,6 +92,7 @@ fn enqueue(
     queue: &mut Vec<Queued>,
     counts: &mut Counts,
 ) {
+    queue.reserve(scene.entities.len());
     for (number, entity) in scene.entities.iter().enumerate() {
         let bounds = entity.bounds();
         if entity.normals_to_world().is_none() {
@@ -98,8 +100,10 @@ fn enqueue(
         } else if !sees(&view.to_clip, &bounds) {
             counts.outside += 1;
         } else if entity.alpha > 0.0 {
-            let depth = -inverse_camera.transform_point3(bounds.center).z;
+            let middle = -inverse_camera.transform_point3(bounds.center).z;
             let transparent = wireframe || !entity.is_opaque();
+            // What is large, a floor, is behind most of what is near its middle.
+            let depth = if transparent { middle } else { middle + bounds.radius };
             queue.push(Queued { transparent, depth, entity: number });
         }
     }
@@ -208,6 +212,13 @@ impl Pass<'_> {
         }
     }
 
+    /// The kept list of vertices, with room for the finest level: nothing is allocated when the entity comes nearer.
+    fn vertices<'k, V: 'static>(&self, kept: &'k mut Kept) -> &'k mut Vertices<V> {
+        let vertices = kept.of::<Vertices<V>>();
+        vertices.reserve(self.entity.levels.finest().assembled().vertices.len());
+        vertices
+    }
+
     fn lit<C: Canvas<Stencil = ()>>(
         &self,
         base: impl Base,
@@ -220,7 +231,7 @@ impl Pass<'_> {
         let look = Look { mesh, to_clip, base, lighting };
         let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
         if !self.transparent {
-            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
+            return render_with(self.vertices(kept), &look, mesh, cull, State::OFF, canvas);
         }
         let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
         let state = State {
@@ -230,7 +241,7 @@ impl Pass<'_> {
             blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render_with(kept.of(), &shader, mesh, cull, state, canvas)
+        render_with(self.vertices(kept), &shader, mesh, cull, state, canvas)
     }
 }
 // ANCHOR_END: pass

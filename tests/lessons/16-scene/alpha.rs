@@ -79,6 +79,9 @@ fn alphas_of_0_and_1() {
         for alpha in [1.0, 1.5, f32::INFINITY] {
             assert_eq!(different(&picture(&[alpha]), &whole), 0, "{alpha}");
         }
+        // It costs nothing, either.
+        let unseen = lit(vec![wall(cube_of(Color::WHITE), 0.0), wall(cube_of(Color::WHITE), f32::NAN)]);
+        assert_eq!(seen(&unseen).1.triangles.vertices, 0);
         // Nearly opaque is blended, and rounded to what opaque is: 254.6 is 255.
         assert_eq!(different(&picture(&[254.6 / 255.0]), &whole), 0);
     }

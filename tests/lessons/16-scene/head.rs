@@ -19,7 +19,7 @@ use scene::{Entity, Filtering, Levels, Paint, Scene, Shading, Style, Target, ren
 fn surface(file: &str) -> Surface {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../assets").join(file);
     let model = Model::read(&path, Attributes::default()).unwrap();
-    Surface::new(model.faces().map(|face| face.map(|corner| corner.as_dvec3())).collect())
+    Surface::new(model.faces().map(|face| face.map(Vec3::as_dvec3)).collect())
 }
 
 /// The table's distances are upper bounds, and hardly larger than what was found: the farther of the two ways, as shoulders that
@@ -107,7 +107,7 @@ fn difference(a: &Image, b: &Image) -> f64 {
 /// Directions all around, from above and from below.
 fn directions() -> impl Iterator<Item = Vec3> {
     (0..12_u8).map(|n| {
-        let (sin, cos) = (f32::from(n) * 0.5236 + 0.1).sin_cos();
+        let (sin, cos) = (f32::from(n) * 30.0 + 6.0).to_radians().sin_cos();
         Vec3::new(sin, f32::from(n * 7 % 12) / 15.0 - 0.36, cos)
     })
 }
@@ -152,9 +152,10 @@ fn a_change_of_stage_moves_no_outline_by_more_than_a_pixel() {
             for (x, y, color) in a.pixels() {
                 let is_head =
                     |image: &Image, x: i32, y: i32| image.get(x, y).is_some_and(|color| color != BEHIND);
-                if (color != BEHIND) != is_head(&b, x, y) {
+                let [in_a, in_b] = [color != BEHIND, is_head(&b, x, y)];
+                if in_a != in_b {
                     moved += 1;
-                    let other = if color != BEHIND { &b } else { &a };
+                    let other = if in_a { &b } else { &a };
                     let near = (-1..=1).any(|i| (-1..=1).any(|j| is_head(other, x + i, y + j)));
                     assert!(near, "{}: ({x}, {y}) from {from}", pair[0].file);
                 }

@@ -37,9 +37,8 @@ fn the_error_is_that_of_the_facet_nearest_to_the_middle() {
         let expected = error(latitudes, longitudes);
         // Rounded to `f32`, a corner is off by 2⁻²⁵ in each direction; made 1 long again, across the sphere alone, which moves a
         // plane by the square of that.
-        let [as_is, exact] =
-            [nearest(&shape, |p| p.as_dvec3()), nearest(&shape, |p| p.as_dvec3().normalize())]
-                .map(|near| 1.0 - near);
+        let [as_is, exact] = [nearest(&shape, Vec3::as_dvec3), nearest(&shape, |p| p.as_dvec3().normalize())]
+            .map(|near| 1.0 - near);
         assert!((as_is - expected).abs() < 1.2e-7, "{latitudes}x{longitudes}: {as_is}, not {expected}");
         assert!((exact - expected).abs() < 4e-8, "{latitudes}x{longitudes}: {exact}, not {expected}");
         assert!(shape.vertices.iter().all(|vertex| (vertex.position.as_dvec3().length() - 1.0).abs() < 1e-7));

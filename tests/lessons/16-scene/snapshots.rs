@@ -13,10 +13,10 @@ fn every_version() {
     }
 }
 
-/// Spheres of each number of triangles, in version 3, where corners are seen best.
+/// Spheres of each number of triangles, in version 5, where one is largest.
 #[test]
 fn every_method_draws_a_sphere() {
-    assert_each_drawn(&LESSON, METHODS, &[&SIZE[..], &["--version", "3"]].concat());
+    assert_each_drawn(&LESSON, METHODS, &[&SIZE[..], &["--version", "5"]].concat());
 }
 
 /// After keys: as lines, from elsewhere, without smooth edges, and as smooth lines.

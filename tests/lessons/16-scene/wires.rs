@@ -2,9 +2,9 @@
 
 use clipping::Cull;
 use common::{Color, DVec2, DVec4, Mat4, Vec3};
-use scene::{Counts, Entity, Scene, Target, render_scene};
+use scene::{Counts, Entity, Levels, Mesh, Paint, Scene, Shape, Target, cube, render_scene};
 
-use crate::pictures::{ORBIT, SKY, ahead, cube_of, lit, patched_cube, sphere_of};
+use crate::pictures::{ORBIT, SKY, ahead, cube_of, different, lit, patched_cube, sphere_of};
 
 /// Wide enough for lines to lie apart.
 const SIZE: [u16; 2] = [200, 150];
@@ -140,6 +140,26 @@ fn diagonals_are_lines_too() {
     sides.sort_unstable();
     sides.dedup();
     assert_eq!(sides.len(), 18);
+}
+
+/// A line is drawn once, however many triangles have it as a side: of a mesh with all its triangles twice, a translucent or a
+/// smooth line is as bright as of the mesh with each once.
+#[test]
+fn shared_sides_are_drawn_once() {
+    let Shape { vertices, mut triangles } = cube();
+    triangles.extend(triangles.clone());
+    let twice = Levels::one(Mesh::new(&Shape { vertices, triangles }, Paint::Color(Color::WHITE)));
+    let camera = transforms::inverse::rigid(&ORBIT.camera());
+    for antialiased in [false, true] {
+        let [once, twice] = [cube_of(Color::WHITE), twice.clone()].map(|levels| {
+            let cube = Entity { alpha: 0.5, degrees: Vec3::new(25.0, 40.0, 15.0), ..Entity::new(levels) };
+            drawn(&lit(vec![cube]), &camera, antialiased).0
+        });
+        assert_eq!(different(&once, &twice), 0);
+        // Along a side between two faces that are both seen, where no other line is, it is half of the way to white.
+        let half = Color::rgb(132, 137, 147);
+        assert!(antialiased || once.pixels().filter(|pixel| pixel.2 == half).count() > 60);
+    }
 }
 
 /// Smooth lines are where the others are, each pixel with a share of the colour.

@@ -19,6 +19,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use perspective::{perspective, view};
 use plain::Plain;
 use scene::head::head;
+use scene::levels::Sizes;
 use scene::version_11::{PARTS, VERSION};
 use scene::{Entity, Filtering, METHODS, Paint, Scene, Shading, Style, Target, render_scene};
 use verify::method;
@@ -31,7 +32,8 @@ const SIZE: [u16; 2] = [1024, 768];
 
 /// The course's own scene at its beginning, and the matrices of its eye.
 fn own() -> (Scene, [Mat4; 2]) {
-    let mut scene = (VERSION.scene)(*method(METHODS, "by-size")).expect("its files are assets");
+    let sizes = method::<Sizes>(METHODS, "by-size");
+    let mut scene = (VERSION.scene)(sizes).expect("its files are assets");
     VERSION.animate.expect("it moves")(&mut scene, 0.0);
     let projection = (VERSION.projection)(Image::new(SIZE[0], SIZE[1], Format::Rgb).size());
     let camera = VERSION.camera.expect("it has an eye that moves").camera();
