@@ -182,22 +182,9 @@ fn default() -> anyhow::Result<Drawing> {
 /// Four versions, two in a row.
 fn versions(numbers: [usize; 4]) -> anyhow::Result<Drawing> {
     // Each drawn in the size in which it is stated.
-    let draw = |number| version(number, 1.0, [1024, 768], number == 7).map(|image| smaller(&image));
+    let draw = |number| version(number, 1.0, [1024, 768], number == 7).map(|image| image.scale(446, 334));
     let [a, b, c, d] = numbers.map(draw);
     rows_of(&[vec![a?, b?], vec![c?, d?]])
-}
-
-/// As it looks from farther away: 446 pixels wide, each of them the mean of what it covers.
-fn smaller(image: &Image) -> Image {
-    const SIZE: [u16; 2] = [446, 334];
-    let part = |n: i32, of: u16, whole: i32| (n * whole) / i32::from(of);
-    painted(SIZE[0], SIZE[1], |x, y| {
-        let (left, right) = (part(x, SIZE[0], image.width()), part(x + 1, SIZE[0], image.width()));
-        let (low, high) = (part(y, SIZE[1], image.height()), part(y + 1, SIZE[1], image.height()));
-        let pixels: Vec<Color> =
-            (low..high).flat_map(|y| (left..right).filter_map(move |x| image.get(x, y))).collect();
-        antialiasing::resolve(&pixels)
-    })
 }
 
 /// What of an entity's mesh lies before a plane of the world, all in the world's coordinates.
