@@ -29,7 +29,7 @@ pub const VERSION: Version = Version {
     projection,
     scene,
     animate: Some(animate),
-    camera: Some(Orbit::new(24.0, 3.0, 6.0)),
+    camera: Some(Orbit::new(24.0, -4.0, 6.3)),
     wireframe: true,
     antialiasing: true,
 };
