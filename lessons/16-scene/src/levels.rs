@@ -55,7 +55,7 @@ pub const METHODS: &[Method<Sizes>] = &[
             [96, 192],
             [128, 256],
         ],
-        promise: "the fewest triangles in 12 steps, each about twice the last, that are half a pixel off at most",
+        promise: "the coarsest of 12 steps, each about twice the last, whose bound on the error is half a pixel at most",
         failure: "where the eye is so near that the radius is more than 3,300 px; all steps are in memory, 5 MB for each paint",
     },
 ];

@@ -3,8 +3,8 @@
 //! It is `winit`'s, and `softbuffer` puts the picture into it. What happens to it is handed on to the [`Simulation`], which
 //! knows of no window: whatever is seen here, `--out` can draw.
 //!
-//! A picture is drawn when it would be another one than the last, and no sooner than the screen shows it; while nothing
-//! moves, the program sleeps. Its pixels are the screen's own: where a screen has two of them, each way, for one that
+//! A picture is drawn when something has happened or moves, and no sooner than the screen shows it; otherwise the program
+//! sleeps. Its pixels are the screen's own: where a screen has two of them, each way, for one that
 //! programs count, there are four times as many to draw.
 
 mod keyboard;
