@@ -132,7 +132,11 @@ impl<const N: usize> Plane<N> {
 #[cold]
 #[inline(never)]
 fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32) -> DVec3 {
-    let sum: DVec3 = (0..N).filter(|s| samples >> s & 1 == 1).map(|s| offsets[s]).sum();
+    let (mut sum, mut left) = (DVec3::ZERO, samples);
+    while left != 0 {
+        sum += offsets[left.trailing_zeros() as usize];
+        left &= left - 1;
+    }
     let count = f64::from(samples.count_ones());
     (edges * count + sum) / count
 }
