@@ -14,6 +14,12 @@ pub trait Power {
 
     /// x^E.
     fn of(&self, x: f32) -> f32;
+
+    /// Of what is less than this the power is taken to be 0, so that nothing more need be known of it.
+    #[inline]
+    fn least(&self) -> f32 {
+        0.0
+    }
 }
 
 /// By the machine's logarithm and exponential.

@@ -32,8 +32,8 @@ pub trait Reflection {
 
 /// What a highlight is brightest by: the cosine of an angle that is 0 where a mirror would show the light.
 pub trait Highlight: Copy {
-    /// From the unit vectors n, l and v, and n·l.
-    fn cosine<N: Normalisation>(normal: Vec3, to_light: Vec3, to_eye: Vec3, n_dot_l: f32) -> f32;
+    /// From the unit vectors n, l and v, and n·l. What is less than `least`, from 0 to 1, may come out as 0.
+    fn cosine<N: Normalisation>(normal: Vec3, to_light: Vec3, to_eye: Vec3, n_dot_l: f32, least: f32) -> f32;
 }
 
 /// Phong's r·v.
@@ -47,15 +47,22 @@ pub struct Halfway;
 // ANCHOR: cosines
 impl Highlight for Mirrored {
     #[inline]
-    fn cosine<N: Normalisation>(normal: Vec3, to_light: Vec3, to_eye: Vec3, n_dot_l: f32) -> f32 {
+    fn cosine<N: Normalisation>(normal: Vec3, to_light: Vec3, to_eye: Vec3, n_dot_l: f32, _: f32) -> f32 {
         (2.0 * n_dot_l * normal - to_light).dot(to_eye)
     }
 }
 
 impl Highlight for Halfway {
     #[inline]
-    fn cosine<N: Normalisation>(normal: Vec3, to_light: Vec3, to_eye: Vec3, _: f32) -> f32 {
-        normal.dot(N::direction(to_light + to_eye))
+    fn cosine<N: Normalisation>(normal: Vec3, to_light: Vec3, to_eye: Vec3, _: f32, least: f32) -> f32 {
+        let between = to_light + to_eye;
+        // Squares tell without a root what is far from the highlight. A tenth is more than any way to make vectors 1 long
+        // is wrong by.
+        let along = normal.dot(between).max(0.0);
+        if along * along < 0.9 * least * least * between.length_squared() {
+            return 0.0;
+        }
+        normal.dot(N::direction(between))
     }
 }
 // ANCHOR_END: cosines
@@ -98,7 +105,7 @@ impl<H: Highlight, N: Normalisation, P: Power> PointLit<H, N, P> {
             return Reflected { body, highlight: 0.0 };
         }
         // Rounding may bring a cosine above 1, which the power would make much of.
-        let cosine = H::cosine::<N>(n, l, v(), n_dot_l).clamp(0.0, 1.0);
+        let cosine = H::cosine::<N>(n, l, v(), n_dot_l, self.power.least()).clamp(0.0, 1.0);
         Reflected { body, highlight: specular * arriving * self.power.of(cosine) }
     }
 }

@@ -57,16 +57,11 @@ pub fn bilinear_8<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap) -> Vec4 {
 
 // ANCHOR: blend_four
 /// The light between four texels; `weight` is made of the share, from 0 to 1, of the way from one centre to the next.
-#[inline]
+#[inline(always)]
 fn blend_four<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap, weight: impl Fn(f32) -> f32) -> Vec4 {
-    let between = |u: f32, n: i32| {
-        // ½ more instead of less, so that it is no less than 0 and a cast rounds it down.
-        let place = wrap.place(u) * n as f32 + 0.5;
-        let i = place as i32;
-        ([wrap.texel(i - 1, n), wrap.texel(i, n)], weight(place - i as f32))
-    };
-    let ([left, right], across) = between(uv.x, level.width());
-    let ([below, above], up) = between(uv.y, level.height());
+    let ([left, right], across) = between(uv.x, level.width(), wrap);
+    let ([below, above], up) = between(uv.y, level.height(), wrap);
+    let (across, up) = (weight(across), weight(up));
     let texels =
         [(left, below), (right, below), (left, above), (right, above)].map(|(i, j)| level.texel(i, j));
     // Where all four are alike, as they are in most places of a chequered floor, there is nothing to decode but one.
@@ -76,6 +71,15 @@ fn blend_four<L: Layout>(level: &Level<L>, uv: Vec2, wrap: Wrap, weight: impl Fn
         return light(0);
     }
     mix(mix(light(0), light(1), across), mix(light(2), light(3), across), up)
+}
+
+/// The two of n texels between whose centres u lies, and the share of the way from the first to the second.
+#[inline(always)]
+fn between(u: f32, n: i32, wrap: Wrap) -> ([i32; 2], f32) {
+    // ½ more instead of less, so that it is no less than 0 and a cast rounds it down.
+    let place = wrap.place(u) * n as f32 + 0.5;
+    let i = place as i32;
+    ([wrap.texel(i - 1, n), wrap.texel(i, n)], place - i as f32)
 }
 
 /// The light a share of the way from one to another. Between two that are alike it is just theirs.
@@ -95,7 +99,10 @@ pub fn trilinear<L: Layout>(texture: &Texture<L>, uv: Vec2, level: f32) -> Vec4 
     let last = levels.len() - 1;
     // Counted, not cast: how often is what the last pixel's level tells a processor, which so fetches texels while this one's
     // is still computed. NaN and what is below 0 is at no level.
-    let finer = (0..last).take_while(|&finer| level >= (finer + 1) as f32).count();
+    let (mut finer, mut coarser) = (0, 1.0);
+    while finer < last && level >= coarser {
+        (finer, coarser) = (finer + 1, coarser + 1.0);
+    }
     if finer == last {
         return bilinear(&levels[last], uv, wrap);
     }

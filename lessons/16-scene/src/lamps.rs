@@ -25,6 +25,11 @@ impl Power for Seen {
     fn of(&self, x: f32) -> f32 {
         if x >= self.least { self.power.of(x) } else { 0.0 }
     }
+
+    #[inline]
+    fn least(&self) -> f32 {
+        self.least
+    }
 }
 // ANCHOR_END: seen
 
@@ -91,6 +96,30 @@ mod tests {
                 assert!(power == exact || (power == 0.0 && exact < 1.001 / 1024.0), "{exponent}, {x}");
             }
             assert_eq!(left_out > 0, exponent >= 1.0, "{exponent}");
+        }
+    }
+
+    /// Where squares tell that a highlight is not seen it is not seen indeed, and whatever is seen stays as it is.
+    #[test]
+    fn no_highlight_is_lost_for_want_of_a_root() {
+        // Directions all over the sphere, no two alike.
+        let direction = |n: f32, steps: [f32; 3]| {
+            Exact::direction(Vec3::from_array(steps.map(|step| (n * step).fract() - 0.5)))
+        };
+        for exponent in [0.0, 1.0, 2.0, 7.0, 64.0, 1000.0] {
+            let seen = Seen::new(exponent);
+            let (mut told, mut bright) = (0, 0);
+            for n in (0..30_000).map(|n| n as f32) {
+                let [normal, l, v] = [[0.618, 0.755, 0.570], [0.414, 0.236, 0.317], [0.732, 0.646, 0.873]]
+                    .map(|steps| direction(n, steps));
+                let cosine =
+                    |least| Halfway::cosine::<Exact>(normal, l, v, normal.dot(l), least).clamp(0.0, 1.0);
+                let (quick, exact) = (cosine(seen.least()), cosine(0.0));
+                assert_eq!(seen.of(quick), seen.of(exact), "{exponent}, {normal}, {l}, {v}");
+                told += usize::from(quick != exact);
+                bright += usize::from(seen.of(exact) > 0.0);
+            }
+            assert!(bright > 0 && (told > 0) == (exponent >= 1.0), "{exponent}: {told}, {bright}");
         }
     }
 }
