@@ -42,7 +42,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
         "scene-versions-4",
         "Four pictures: a red cube and a blue sphere, turned, with a highlight; the same in perspective, the sphere round; a \
-         wooden crate; the lines of a crate.",
+         wooden crate; the lines of a crate and of a sphere.",
         || versions([4, 5, 6, 7]),
     ),
     Figure::new(

@@ -309,7 +309,7 @@ pub(super) fn held() -> anyhow::Result<Drawing> {
         sheet.text_left_of(at(-0.03, 1.0), "r", GREY);
         for (rate, ink) in inks {
             let pictures = rate as usize;
-            // A step of a thirtieth of the way in each picture, or what is left after the time that has gone by.
+            // A step of 1/45 of the way in each picture, or what is left after the time that has gone by.
             let place = |n: usize| match left {
                 0.0 => 1.0 - n as f32 / 45.0,
                 _ => (-(n as f32) / rate).exp(),

@@ -55,7 +55,7 @@ pub const METHODS: &[Method<Sizes>] = &[
             [96, 192],
             [128, 256],
         ],
-        promise: "half a pixel off at most by few triangles: of 12 steps, each about twice the last, mostly the coarsest that will do or one or two above",
+        promise: "the coarsest of 12 steps, each about twice the last, whose bound on the error is half a pixel at most",
         failure: "where the eye is so near that the radius is more than 3,320 px; all steps are in memory, 5 MB for each paint",
     },
 ];

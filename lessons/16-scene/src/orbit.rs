@@ -7,7 +7,7 @@
 //! they are split, so frames of any length lead to the same place, to the last bit.
 
 use common::{Mat4, Vec3};
-use libm::exp2;
+use libm::{asin, exp2};
 use transforms::affine::{rotate_x, rotate_y};
 use transforms::translate;
 
@@ -68,6 +68,10 @@ pub struct Orbit {
     around: i64,
     up: i64,
     nearer: i64,
+    /// As far down as it goes.
+    lowest: i64,
+    /// It stays above a floor of that height.
+    floor: f32,
     /// At first, in units of the world.
     distance: f32,
 }
@@ -79,7 +83,14 @@ impl Orbit {
     #[must_use]
     pub const fn new(azimuth: f32, elevation: f32, distance: f32) -> Self {
         let around = time(azimuth).rem_euclid(TURN);
-        Self { around, up: time(elevation.clamp(-89.0, 89.0)), nearer: 0, distance }
+        let up = time(elevation.clamp(-89.0, 89.0));
+        Self { around, up, nearer: 0, lowest: -STEEPEST, floor: f32::NEG_INFINITY, distance }
+    }
+
+    /// The same eye, which sinks no lower than it is, and stays above a floor of that height, below 0, however far it goes.
+    #[must_use]
+    pub const fn above(self, floor: f32) -> Self {
+        Self { lowest: self.up, floor, ..self }
     }
 
     // ANCHOR: moved
@@ -87,11 +98,14 @@ impl Orbit {
     /// without an end; elsewhere it stops where it must.
     #[must_use]
     pub fn moved(self, axis: Axis, nanoseconds: i64) -> Self {
-        let within = |at: i64, most: i64| at.saturating_add(nanoseconds).clamp(-most, most);
+        let within = |at: i64, least: i64, most: i64| at.saturating_add(nanoseconds).clamp(least, most);
         match axis {
             Axis::Around => Self { around: (self.around + nanoseconds % TURN).rem_euclid(TURN), ..self },
-            Axis::Up => Self { up: within(self.up, STEEPEST), ..self },
-            Axis::Nearer => Self { nearer: within(self.nearer, MOST_DOUBLES * DOUBLE), ..self },
+            Axis::Up => Self { up: within(self.up, self.lowest, STEEPEST), ..self },
+            Axis::Nearer => {
+                let most = MOST_DOUBLES * DOUBLE;
+                Self { nearer: within(self.nearer, -most, most), ..self }
+            }
         }
     }
     // ANCHOR_END: moved
@@ -126,10 +140,11 @@ impl Orbit {
         (self.around as f64 * 360.0 / TURN as f64) as f32
     }
 
-    /// Its latitude in degrees, −89 to 89.
+    /// Its latitude in degrees, −89 to 89. On a floor it lies: what it has sunk is kept, so that nearer it sinks again.
     #[must_use]
     pub fn elevation(&self) -> f32 {
-        (self.up as f64 * 360.0 / TURN as f64) as f32
+        let on_floor = asin(f64::from(self.floor / self.distance()).max(-1.0)).to_degrees();
+        (self.up as f64 * 360.0 / TURN as f64).max(on_floor) as f32
     }
 
     /// How far it is from (0, 0, 0): an eighth of the first distance to eight times as much.
@@ -223,6 +238,21 @@ mod tests {
             start.moved(Axis::Around, i64::MIN).moved(Axis::Around, i64::MAX).moved(Axis::Around, 1),
             start
         );
+    }
+
+    /// However far it goes, a little above the floor, as an `f32` tells places; and the way up begins where it is.
+    #[test]
+    fn an_eye_above_a_floor_stays_there() {
+        let start = Orbit::new(24.0, -4.0, 7.0).above(-0.9);
+        assert_eq!(start.elevation(), -4.0);
+        for time in (0..=40).map(|n| n * DOUBLE / 10) {
+            let down = start.moved(Axis::Nearer, -time).moved(Axis::Up, -10 * TURN);
+            let height = down.camera().w_axis.y;
+            assert!(height >= -0.9 - 1e-4 && height < 0.0, "{time}: {height}");
+            assert!(down.moved(Axis::Up, TURN / 36).elevation() > down.elevation() + 5.0, "{time}");
+            assert_eq!(down.moved(Axis::Nearer, time.min(3 * DOUBLE)).elevation(), -4.0);
+        }
+        assert_eq!(Orbit::new(0.0, -80.0, 4.0).moved(Axis::Up, -TURN).elevation(), -89.0);
     }
 
     #[test]

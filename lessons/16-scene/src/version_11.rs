@@ -29,7 +29,7 @@ pub const VERSION: Version = Version {
     projection,
     scene,
     animate: Some(animate),
-    camera: Some(Orbit::new(24.0, -4.0, 6.3)),
+    camera: Some(Orbit::new(24.0, -4.0, 7.0).above(0.9 * GROUND)),
     wireframe: true,
     antialiasing: true,
 };
@@ -50,11 +50,12 @@ const DUSK: Color = Color::rgb(0x22, 0x2c, 0x42);
 /// The floor's two colours.
 const TILES: [Color; 2] = [Color::rgb(0xae, 0xb8, 0xcc), Color::rgb(0x38, 0x46, 0x62)];
 
-/// How far the floor reaches, and the far plane a little farther: to the horizon, but for a fraction of a pixel.
-const FAR: f32 = 400.0;
+/// How far the floor reaches. From 1 above it, its end is half a pixel below the true horizon in a picture 1,024 px high; behind
+/// it is no far plane.
+const FAR: f32 = 3000.0;
 
 fn projection(size: Vec2) -> Mat4 {
-    perspective(40.0, size.x / size.y, 0.1, 1.5 * FAR).expect("a picture has a width and a height")
+    perspective(40.0, size.x / size.y, 0.1, f32::INFINITY).expect("a picture has a width and a height")
 }
 
 /// A picture as a texture with all its levels.

@@ -3,8 +3,8 @@
 //! It is `winit`'s, and `softbuffer` puts the picture into it. What happens to it is handed on to the [`Simulation`], which
 //! knows of no window: whatever is seen here, `--out` can draw.
 //!
-//! A picture is drawn when something moves or has happened, be it a key that does nothing, and no sooner than the screen
-//! shows it; else the program sleeps. Its pixels are the screen's own: where a screen has two of them, each way, for one that
+//! A picture is drawn when something has happened or moves, and no sooner than the screen shows it; otherwise the program
+//! sleeps. Its pixels are the screen's own: where a screen has two of them, each way, for one that
 //! programs count, there are four times as many to draw.
 
 mod keyboard;
@@ -255,7 +255,9 @@ impl Shown {
         };
         let begun = Instant::now();
         let (Ok(wide), Ok(high)) = (u16::try_from(width), u16::try_from(height)) else {
-            bail!("the window is {width}x{height} pixels large: --size opens one of up to 65535x65535");
+            bail!(
+                "the window has {width}x{height} pixels, and 65535 each way is the most: --size opens a smaller one"
+            );
         };
         self.target.resize(wide, high);
         self.triangles = simulation.draw(&mut self.target).triangles.filled;

@@ -37,8 +37,8 @@ pub fn sphere(latitudes: usize, longitudes: usize) -> Shape {
 /// The matrix of a camera that looks at the origin from a distance: it places the camera in the world, as an entity's matrix
 /// places an entity.
 ///
-/// Without turns the camera stands at (0, 0, `distance`) and looks along −z. `azimuth` is in degrees and takes it round the y axis,
-/// to the right, where +x is, first; `elevation` takes it up.
+/// Without turns the camera stands at (0, 0, `distance`) and looks along −z. Angles are in degrees: `elevation`
+/// lifts it; `azimuth` then carries it round the y axis, from +z towards +x.
 #[must_use]
 pub fn orbit(azimuth: f32, elevation: f32, distance: f32) -> Mat4 {
     let _ = (azimuth, elevation, distance);
