@@ -1,11 +1,10 @@
 //! Chapter 16: a scene.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use clipping::Cull;
 use clipping::clip::{ClipVertex, Polygon, clip};
-use common::{Attributes, Color, Image, Mat4, Model, Vec2, Vec3, Vec4, Vec4Swizzles};
+use common::{Color, Image, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
 use lighting::PointLight;
 use perspective::perspective;
 use scene::head::{STAGES, Stage};
@@ -353,20 +352,10 @@ fn silhouettes() -> anyhow::Result<Drawing> {
     rows_of(&[["8x16", "32x64", "by-size"].into_iter().map(draw).collect::<anyhow::Result<Vec<Image>>>()?])
 }
 
-/// The head in one of its levels.
-pub(crate) fn stage_shape(stage: &Stage) -> anyhow::Result<Shape> {
-    let needs = Attributes { normals: true, uvs: true };
-    let model = Model::read(
-        &Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets")).join(stage.file),
-        needs,
-    )?;
-    Ok(Shape::of(&model, &gouraud::corner_normals(&model)))
-}
-
 fn heads() -> anyhow::Result<Drawing> {
     const SIZE: [u16; 2] = [THIRD, 330];
     let draw = |stage: &Stage| {
-        let mesh = Mesh::new(&stage_shape(stage)?, Paint::Color(Color::rgb(0xf2, 0xc1, 0x4e)));
+        let mesh = stage.mesh(&Paint::Color(Color::rgb(0xf2, 0xc1, 0x4e)))?;
         // Where lines lie close, one sees that they are many.
         let scene = before_dark(vec![Entity { alpha: 0.45, ..Entity::new(Levels::one(mesh)) }], LIT);
         picture(&scene, perspective(45.0, aspect(SIZE), 0.1, 100.0)?, orbit(25.0, 8.0, 2.6), SIZE, true)

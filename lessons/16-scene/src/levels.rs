@@ -24,19 +24,19 @@ pub const METHODS: &[Method<Sizes>] = &[
     Method {
         name: "8x16",
         run: &[[8, 16]],
-        promise: "224 triangles, wherever it stands; half a pixel off at a radius of 13 px",
-        failure: "corners are seen at any size that shows a sphere",
+        promise: "224 triangles, wherever it stands; half a pixel off at most up to a radius of 13 px",
+        failure: "corners are seen beyond 13 px of radius",
     },
     Method {
         name: "32x64",
         run: &[[32, 64]],
-        promise: "3,968 triangles, wherever it stands; half a pixel off at a radius of 208 px",
+        promise: "3,968 triangles, wherever it stands; half a pixel off at most up to a radius of 207 px",
         failure: "corners from near; from afar several triangles to a pixel",
     },
     Method {
         name: "128x256",
         run: &[[128, 256]],
-        promise: "65,024 triangles, wherever it stands; half a pixel off at a radius of 3,300 px",
+        promise: "65,024 triangles, wherever it stands; half a pixel off at most up to a radius of 3,320 px",
         failure: "hardly ever seen to be wrong, and always paid for: 65,024 triangles for a sphere of one pixel, too",
     },
     Method {
@@ -56,7 +56,7 @@ pub const METHODS: &[Method<Sizes>] = &[
             [128, 256],
         ],
         promise: "the coarsest of 12 steps, each about twice the last, whose bound on the error is half a pixel at most",
-        failure: "where the eye is so near that the radius is more than 3,300 px; all steps are in memory, 5 MB for each paint",
+        failure: "where the eye is so near that the radius is more than 3,320 px; all steps are in memory, 5 MB for each paint",
     },
 ];
 

@@ -10,7 +10,23 @@ use scene::keys::Presses;
 use scene::levels::Sizes;
 use scene::{METHODS, Simulation, Target, VERSIONS, Version};
 
+/// What `--help` says of the window.
+const KEYS: &str = "\
+Keys:
+  Left    The eye moves to its left around the middle, from version 9 on
+  Right   To its right
+  Up      It rises
+  Down    It sinks
+  W       It comes nearer
+  S       It goes farther away
+  F1      Wireframe, and back, from version 7 on
+  F2      Rough edges, and back to smooth ones, from version 10 on
+  Space   What moves stops, or goes on; no key for --keys
+  Escape  Ends it
+The mouse pulls what is seen, and its wheel brings the eye nearer or farther away, from version 9 on.";
+
 #[derive(clap::Args)]
+#[command(after_help = KEYS)]
 struct Flags {
     /// The version of the assignment, 0 to 10, or the course's own scene, 11
     #[arg(long, value_name = "N", default_value_t = 11, value_parser = clap::value_parser!(u8).range(0..=11))]
@@ -83,10 +99,11 @@ impl Program for Scenes {
 
     fn draw(&mut self, sizes: &Sizes, picture: &mut Image) -> anyhow::Result<Extras> {
         let simulation = self.simulation(sizes)?;
-        if !simulation.fits(picture) {
-            return Err(too_large(picture).into());
+        let [width, height] = [picture.width(), picture.height()].map(|side| side as u16);
+        if !simulation.fits([width, height]) {
+            return Err(too_large(width, height).into());
         }
-        let mut target = Target::new(picture.width() as u16, picture.height() as u16);
+        let mut target = Target::new(width, height);
         let counts = simulation.draw(&mut target);
         *picture = target.into_picture();
         Ok(Extras { depth: None, left_out: counts.triangles.left_out })
@@ -115,8 +132,7 @@ impl Program for Scenes {
     }
 }
 
-fn too_large(picture: &Image) -> UsageError {
-    let [width, height] = [picture.width(), picture.height()];
+fn too_large(width: u16, height: u16) -> UsageError {
     UsageError(format!(
         "--size {width}x{height}: 16 samples a pixel are too many for it; up to 4096x4096 will do, or --keys F2"
     ))

@@ -9,11 +9,11 @@ use blending::translucent::{Translucent, faded};
 use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
 use clipping::render::Vertices;
-use common::{Image, Mat4, Vec2, Vec3};
+use common::{Color, Image, Mat4, Vec2, Vec3};
 use transforms::inverse::elimination;
 
 use crate::entity::Entity;
-use crate::frustum::{pixels_per_unit, sees};
+use crate::frustum::{Sphere, pixels_per_unit, sees};
 use crate::kept::Kept;
 use crate::lamps::Lamps;
 use crate::mesh::{Mesh, Paint};
@@ -95,16 +95,19 @@ fn enqueue(
     queue.reserve(scene.entities.len());
     for (number, entity) in scene.entities.iter().enumerate() {
         let bounds = entity.bounds();
-        if entity.normals_to_world().is_none() {
+        let Some(normals_to_world) = entity.normals_to_world() else {
             counts.flattened += 1;
-        } else if !sees(&view.to_clip, &bounds) {
+            continue;
+        };
+        if !sees(&view.to_clip, &bounds) {
             counts.outside += 1;
         } else if entity.alpha > 0.0 {
             let middle = -inverse_camera.transform_point3(bounds.center).z;
             let transparent = wireframe || !entity.is_opaque();
             // What is large, a floor, is behind most of what is near its middle.
             let depth = if transparent { middle } else { middle + bounds.radius };
-            queue.push(Queued { transparent, depth, entity: number });
+            let to_world = entity.to_world();
+            queue.push(Queued { transparent, depth, entity: number, bounds, to_world, normals_to_world });
         }
     }
     queue.sort_unstable_by(|a, b| {
@@ -123,11 +126,14 @@ fn draw_wires(
     picture: &mut Image,
 ) -> clipping::Counts {
     picture.set_all(|_| scene.background);
+    for entity in &scene.entities {
+        entity.levels.all().iter().for_each(|(mesh, _)| wires.reserve(mesh));
+    }
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
-        let mesh = level(entity, view, WIRE_SHARE);
-        let to_clip = view.to_clip * entity.to_world();
+        let mesh = level(entity, view, &queued.bounds, WIRE_SHARE);
+        let to_clip = view.to_clip * queued.to_world;
         let color = faded(mesh.mean(), entity.alpha);
         counts += wires.draw(mesh, &to_clip, cull(scene, entity), color, smooth, picture);
     }
@@ -144,12 +150,13 @@ fn draw<C: Canvas<Stencil = ()>>(
     picture: &mut Image,
 ) -> clipping::Counts {
     canvas.clear(scene.background, false);
+    scene.entities.iter().for_each(|entity| reserve(entity, scene.style.shading, kept));
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
-        let Some(normals_to_world) = entity.normals_to_world() else { continue };
-        let mesh = level(entity, view, 1.0);
-        let placed = Placed { mesh, to_world: entity.to_world(), normals_to_world, eye: view.eye, lamps };
+        let mesh = level(entity, view, &queued.bounds, 1.0);
+        let &Queued { to_world, normals_to_world, .. } = queued;
+        let placed = Placed { mesh, to_world, normals_to_world, eye: view.eye, lamps };
         let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
         counts += pass.draw(kept, canvas);
     }
@@ -157,13 +164,41 @@ fn draw<C: Canvas<Stencil = ()>>(
     counts
 }
 
+/// Makes room for an entity's vertices, of what its paint and its shading interpolate, in whichever level: a frame in which it
+/// comes nearer, or into the picture, allocates nothing.
+// ANCHOR: reserve
+fn reserve(entity: &Entity, shading: Shading, kept: &mut Kept) {
+    fn of<B: Base, L: Lighting>(vertices: usize, opaque: bool, kept: &mut Kept) {
+        if opaque {
+            kept.of::<Vertices<(B::Varying, L::Varying)>>().reserve(vertices);
+        } else {
+            kept.of::<Vertices<((B::Varying, L::Varying), ())>>().reserve(vertices);
+        }
+    }
+    for (mesh, _) in entity.levels.all() {
+        let of = match (mesh.paint(), shading) {
+            (Paint::Color(_), Shading::Unlit) => of::<Color, ()>,
+            (Paint::Color(_), Shading::Phong) => of::<Color, AtVertices>,
+            (Paint::Color(_), Shading::BlinnPhong) => of::<Color, AtPixels>,
+            (Paint::Colors(_), Shading::Unlit) => of::<&[Color], ()>,
+            (Paint::Colors(_), Shading::Phong) => of::<&[Color], AtVertices>,
+            (Paint::Colors(_), Shading::BlinnPhong) => of::<&[Color], AtPixels>,
+            (Paint::Texture(_), Shading::Unlit) => of::<Textured, ()>,
+            (Paint::Texture(_), Shading::Phong) => of::<Textured, AtVertices>,
+            (Paint::Texture(_), Shading::BlinnPhong) => of::<Textured, AtPixels>,
+        };
+        of(mesh.assembled().vertices.len(), entity.is_opaque(), kept);
+    }
+}
+// ANCHOR_END: reserve
+
 /// A wireframe may be 8 times as far off as a surface: four pixels. Where that is half a pixel, sides are so short that lines
 /// cover all between them, and nothing is seen of the triangles.
 const WIRE_SHARE: f32 = 1.0 / 8.0;
 
 /// The mesh of an entity that is fine enough, where each of its pixels counts for such a share of one.
-fn level<'a>(entity: &'a Entity, view: &View, share: f32) -> &'a Mesh {
-    let pixels = pixels_per_unit(&view.to_clip, &entity.bounds(), view.size);
+fn level<'a>(entity: &'a Entity, view: &View, bounds: &Sphere, share: f32) -> &'a Mesh {
+    let pixels = pixels_per_unit(&view.to_clip, bounds, view.size);
     entity.levels.choose(share * pixels * entity.scale.abs().max_element())
 }
 
@@ -212,13 +247,6 @@ impl Pass<'_> {
         }
     }
 
-    /// The kept list of vertices, with room for the finest level: nothing is allocated when the entity comes nearer.
-    fn vertices<'k, V: 'static>(&self, kept: &'k mut Kept) -> &'k mut Vertices<V> {
-        let vertices = kept.of::<Vertices<V>>();
-        vertices.reserve(self.entity.levels.finest().assembled().vertices.len());
-        vertices
-    }
-
     fn lit<C: Canvas<Stencil = ()>>(
         &self,
         base: impl Base,
@@ -231,7 +259,7 @@ impl Pass<'_> {
         let look = Look { mesh, to_clip, base, lighting };
         let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
         if !self.transparent {
-            return render_with(self.vertices(kept), &look, mesh, cull, State::OFF, canvas);
+            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
         }
         let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
         let state = State {
@@ -241,7 +269,7 @@ impl Pass<'_> {
             blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render_with(self.vertices(kept), &shader, mesh, cull, state, canvas)
+        render_with(kept.of(), &shader, mesh, cull, state, canvas)
     }
 }
 // ANCHOR_END: pass
@@ -250,7 +278,6 @@ impl Pass<'_> {
 mod tests {
     use std::sync::Arc;
 
-    use common::Color;
     use lighting::PointLight;
 
     use super::*;

@@ -1,4 +1,7 @@
 //! The look of a mesh: where its colours come from, times how they are lit. What is absent is `()` and costs nothing.
+//!
+//! Lesson 13's `Filtered` and lesson 9's `Lighting` look like these, but take one textured model with its uniforms, and one
+//! brightness: here a mesh may have no texture, and of light there are two parts, of which the highlight takes no colour.
 
 use common::direction::unit;
 use common::{Color, Mat3, Mat4, Vec2, Vec3, Vec4};

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
+use common::Mat4;
 use common::program::UsageError;
-use common::{Image, Mat4};
 use transforms::inverse::rigid;
 
 use crate::held::{Held, PRESS};
@@ -179,15 +179,18 @@ impl Simulation {
 
     /// Whether a picture of that size can have as many samples as are asked for: edges of larger ones stay as they are.
     #[must_use]
-    pub fn fits(&self, picture: &Image) -> bool {
-        let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
-        !self.antialiased || width * height <= MOST_PIXELS
+    pub fn fits(&self, [width, height]: [u16; 2]) -> bool {
+        !self.antialiased || usize::from(width) * usize::from(height) <= MOST_PIXELS
     }
 
-    /// Draws what is seen now.
+    /// Draws what is seen now; nothing where the picture has no pixels.
     pub fn draw(&mut self, target: &mut Target) -> Counts {
+        let size = [target.picture().width(), target.picture().height()].map(|side| side as u16);
+        if size.contains(&0) {
+            return Counts::default();
+        }
         target.wireframe = self.wireframe;
-        target.antialiased = self.antialiased && self.fits(target.picture());
+        target.antialiased = self.antialiased && self.fits(size);
         if let Some(animate) = self.version.animate {
             animate(&mut self.scene, self.time.as_secs_f64());
         }

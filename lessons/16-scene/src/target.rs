@@ -3,8 +3,9 @@
 use antialiasing::canvas::Canvas;
 use antialiasing::multisampled::Multisampled;
 use antialiasing::storage::{Compressed, Samples};
-use common::{Format, Image};
+use common::{Format, Image, Mat3, Mat4};
 
+use crate::frustum::Sphere;
 use crate::kept::Kept;
 use crate::lamps::Lamps;
 use crate::wireframe::Wires;
@@ -15,12 +16,15 @@ pub(crate) type Single = Multisampled<1, Samples<1>>;
 /// Sixteen.
 pub(crate) type Many = Multisampled<16, Compressed<16>>;
 
-/// An entity that is to be drawn: its number, and how deep before the eye it is.
+/// An entity that is to be drawn: its number, how deep before the eye it is, and what of its place is computed once a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Queued {
     pub(crate) transparent: bool,
     pub(crate) depth: f32,
     pub(crate) entity: usize,
+    pub(crate) bounds: Sphere,
+    pub(crate) to_world: Mat4,
+    pub(crate) normals_to_world: Mat3,
 }
 
 /// A picture, and what drawing one after the other needs and should not allocate again.

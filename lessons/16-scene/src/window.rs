@@ -10,7 +10,6 @@
 mod keyboard;
 mod pace;
 
-use std::fmt::Write;
 use std::num::NonZeroU32;
 use std::panic::{catch_unwind, set_hook, take_hook};
 use std::rc::Rc;
@@ -29,20 +28,24 @@ use crate::pixels::show;
 use crate::simulation::Simulation;
 use crate::target::Target;
 
-use keyboard::key;
+use keyboard::{Down, key};
 use pace::Pace;
 
-/// Shows a simulation until Escape is pressed or the window closed. At first the window is so wide and so high, in pixels of
+/// Shows a simulation until Escape is pressed or the window closed; no window where it is over already. At first the window is so wide and so high, in pixels of
 /// a screen whose scale is 1.
 ///
 /// # Errors
 /// Where there is no display, or the system gives no window or no pixels.
 pub fn run(simulation: &mut Simulation, (width, height): (u16, u16)) -> anyhow::Result<()> {
+    if simulation.is_over() {
+        return Ok(());
+    }
     let events = event_loop()?;
     let mut app = App {
         simulation,
         size: LogicalSize::new(width, height),
         shown: None,
+        down: Down::default(),
         pointer: PhysicalPosition::default(),
         is_dragged: false,
         outcome: Ok(()),
@@ -78,6 +81,7 @@ struct App<'a> {
     /// The window's size at first.
     size: LogicalSize<u16>,
     shown: Option<Shown>,
+    down: Down,
     /// Where the mouse is, and whether it pulls.
     pointer: PhysicalPosition<f64>,
     is_dragged: bool,
@@ -93,14 +97,18 @@ impl App<'_> {
 
     // ANCHOR: keys
     fn typed(&mut self, event: &KeyEvent) {
-        let pressed = event.state.is_pressed();
-        if event.logical_key == Typed::Named(NamedKey::Space) && pressed {
+        if let Some(key) = self.down.release(event.physical_key) {
+            self.simulation.release(key);
+        }
+        if !event.state.is_pressed() {
+            return;
+        }
+        if event.logical_key == Typed::Named(NamedKey::Space) {
             self.simulation.pause();
         }
-        match key(&event.logical_key, event.physical_key) {
-            Some(key) if pressed => self.simulation.press(key),
-            Some(key) => self.simulation.release(key),
-            None => {}
+        if let Some(key) = key(&event.logical_key, event.physical_key) {
+            self.down.press(event.physical_key, key);
+            self.simulation.press(key);
         }
     }
     // ANCHOR_END: keys
@@ -132,8 +140,10 @@ impl ApplicationHandler for App<'_> {
             WindowEvent::Resized(size) => shown.size = size,
             WindowEvent::Occluded(is_occluded) => shown.is_occluded = is_occluded,
             WindowEvent::Focused(is_focused) => {
-                // Without the focus it is not told of keys, nor of their release.
+                // Without the focus it is not told of keys and of the mouse, nor of their release.
                 shown.is_focused = is_focused;
+                self.is_dragged = false;
+                self.down = Down::default();
                 self.simulation.release_all();
             }
             WindowEvent::KeyboardInput { event, is_synthetic: false, .. } if !event.repeat => {
@@ -153,7 +163,7 @@ impl ApplicationHandler for App<'_> {
                 self.simulation.scroll(lines.into());
             }
             WindowEvent::MouseWheel { delta: MouseScrollDelta::PixelDelta(by), .. } => {
-                self.simulation.scroll(by.y / PIXELS_A_LINE);
+                self.simulation.scroll(by.y / shown.window.scale_factor() / PIXELS_A_LINE);
             }
             _ => return,
         }
@@ -189,7 +199,7 @@ impl ApplicationHandler for App<'_> {
     // ANCHOR_END: wait
 }
 
-/// What turns a touchpad's pixels into a wheel's lines.
+/// What turns a touchpad's pixels, at a scale of 1, into a wheel's lines.
 const PIXELS_A_LINE: f64 = 40.0;
 
 /// A window, and what is shown in it.
@@ -206,7 +216,6 @@ struct Shown {
     is_focused: bool,
     /// How many triangles were filled in the last picture.
     triangles: usize,
-    title: String,
 }
 
 impl Shown {
@@ -218,18 +227,16 @@ impl Shown {
         let window = Rc::new(events.create_window(attributes).map_err(|error| no_window(&error))?);
         let context = Context::new(events.owned_display_handle()).map_err(|error| no_window(&error))?;
         let surface = Surface::new(&context, window.clone()).map_err(|error| no_window(&error))?;
-        let screen = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
         Ok(Self {
             size: window.inner_size(),
             window,
             surface,
             target: Target::new(0, 0),
-            pace: Pace::new(screen),
+            pace: Pace::new(),
             is_stale: true,
             is_occluded: false,
             is_focused: false,
             triangles: 0,
-            title: String::new(),
         })
     }
 
@@ -247,7 +254,12 @@ impl Shown {
             return Ok(());
         };
         let begun = Instant::now();
-        self.target.resize(u16::try_from(width)?, u16::try_from(height)?);
+        let (Ok(wide), Ok(high)) = (u16::try_from(width), u16::try_from(height)) else {
+            bail!(
+                "the window has {width}x{height} pixels, and 65535 each way is the most: --size opens a smaller one"
+            );
+        };
+        self.target.resize(wide, high);
         self.triangles = simulation.draw(&mut self.target).triangles.filled;
         let no_pixels = |error| anyhow!("the display takes no pixels: {error}");
         self.surface.resize(columns, rows).map_err(no_pixels)?;
@@ -261,13 +273,15 @@ impl Shown {
     }
     // ANCHOR_END: draw
 
-    /// Says in the title what is seen, and how long it takes.
+    /// Says in the title what is seen, and how long it takes. Looks, too, how often the screen shows pictures: it may be another
+    /// one by now, and on Wayland a window is on none before its first picture.
     fn write_title(&mut self, simulation: &Simulation, now: Instant) {
-        let Self { target, triangles, title, .. } = self;
+        let screen = self.window.current_monitor();
+        self.pace.follow(screen.and_then(|screen| screen.refresh_rate_millihertz()));
+        let target = &self.target;
         let milliseconds = self.pace.milliseconds(now);
         let [width, height] = [target.picture().width(), target.picture().height()];
-        title.clear();
-        let drawn = match triangles {
+        let drawn = match self.triangles {
             _ if target.wireframe => "wireframe".into(),
             1 => "1 triangle".into(),
             count => format!("{count} triangles"),
@@ -275,12 +289,9 @@ impl Shown {
         let samples = if target.antialiased { ", 16 samples" } else { "" };
         let paused = if simulation.is_paused() { ", paused" } else { "" };
         let number = simulation.version().number;
-        // Writing to a string does not fail.
-        let _ = write!(
-            title,
+        self.window.set_title(&format!(
             "Version {number}: {milliseconds:.1} ms a frame, {drawn}, {width}x{height}{samples}{paused}"
-        );
-        self.window.set_title(title);
+        ));
     }
 }
 

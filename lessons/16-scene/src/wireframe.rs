@@ -18,6 +18,14 @@ pub struct Wires {
 }
 
 impl Wires {
+    /// Makes room for a mesh: drawing it allocates nothing then.
+    pub fn reserve(&mut self, mesh: &Mesh) {
+        self.positions.clear();
+        self.positions.reserve(mesh.assembled().vertices.len());
+        self.lines.clear();
+        self.lines.reserve(3 * mesh.triangles());
+    }
+
     /// Draws each side of a mesh's triangles once, but for triangles that are left out for the side that they show. A colour's
     /// alpha counts; smooth lines are Wu's, others Bresenham's. A line ends in the pixels that its corners are in.
     // ANCHOR: wireframe

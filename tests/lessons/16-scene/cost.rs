@@ -1,5 +1,7 @@
 //! What a frame costs besides time: no memory; and that a scene which uses nothing draws what lesson 15's loop does.
 
+use std::iter;
+use std::sync::Arc;
 use std::time::Duration;
 
 use antialiasing::Canvas;
@@ -7,17 +9,21 @@ use antialiasing::multisampled::Multisampled;
 use antialiasing::storage::{Compressed, Samples};
 use clipping::Cull;
 use common::{Color, Format, Image, Mat4, Vec3};
+use filtering::light::SRGB;
+use filtering::{Texture, Wrap};
 use lighting::PointLight;
 use perspective::{perspective, view};
 use scene::head::head;
 use scene::keys::Key;
 use scene::levels::{Sizes, spheres};
 use scene::{
-    Entity, Filtering, METHODS, Paint, Scene, Shading, Simulation, Style, Target, VERSIONS, render_scene,
+    Entity, Filtering, Levels, METHODS, Mesh, Paint, Scene, Shading, Simulation, Style, Target, VERSIONS,
+    render_scene, sphere,
 };
 use verify::method;
 
 use crate::plain::Plain;
+use crate::stage::WHITE;
 
 /// From the second frame on drawing allocates nothing, whichever way, though the scene turns.
 #[test]
@@ -44,7 +50,7 @@ fn a_frame_allocates_nothing_after_the_first() {
 /// Nor does it when things come nearer and finer levels take the places of coarser ones.
 #[test]
 fn a_finer_level_allocates_nothing() {
-    for antialiased in [false, true] {
+    for (antialiased, wireframe) in [(false, false), (true, false), (false, true), (true, true)] {
         for name in ["by-size", "8x16"] {
             let sizes: &Sizes = method(METHODS, name);
             let spheres = spheres(sizes, &Paint::Color(Color::WHITE));
@@ -56,7 +62,7 @@ fn a_finer_level_allocates_nothing() {
             };
             let projection = perspective(60.0, 4.0 / 3.0, 0.01, 100.0).unwrap();
             let mut target = Target::new(160, 120);
-            target.antialiased = antialiased;
+            (target.antialiased, target.wireframe) = (antialiased, wireframe);
             let mut vertices = Vec::new();
             for frame in 0..12_u8 {
                 scene.entities[0].position.z = -1.01 - 40.0 / f32::from(1 + frame).powi(2);
@@ -66,10 +72,53 @@ fn a_finer_level_allocates_nothing() {
                     computed = counts.triangles.vertices;
                 });
                 vertices.push(computed);
-                assert_eq!(allocations.count_total == 0, frame > 0, "{name}, frame {frame}");
+                assert_eq!(allocations.count_total == 0, frame > 0, "{name}, frame {frame}, {wireframe}");
             }
             vertices.dedup();
             assert_eq!(vertices.len() > 4, name == "by-size", "{vertices:?}");
+        }
+    }
+}
+
+/// Nor does it when something comes into the picture of which there was nothing before: finer, and with a texture or colours of
+/// its own.
+#[test]
+fn what_comes_later_allocates_nothing() {
+    let white = Image::new(4, 4, Format::Rgb);
+    let texture = Paint::Texture(Arc::new(Texture::new(&white, Wrap::Clamp, &SRGB)));
+    let ball = |n: usize, paint| Levels::one(Mesh::new(&sphere(n, 2 * n), paint));
+    let colors = Paint::Colors(vec![Color::RED; sphere(20, 40).vertices.len()]);
+    let later = [ball(20, colors), ball(30, texture), ball(40, WHITE)];
+    for shading in [Shading::Unlit, Shading::Phong, Shading::BlinnPhong] {
+        for (antialiased, wireframe) in [(false, false), (true, false), (false, true), (true, true)] {
+            let first = Entity { position: Vec3::new(0.0, 0.0, -5.0), ..Entity::new(ball(4, WHITE)) };
+            // Behind the eye.
+            let hidden = |levels: &Arc<Levels>| Entity {
+                position: Vec3::new(0.0, 0.0, 5.0),
+                alpha: 0.5,
+                ..Entity::new(levels.clone())
+            };
+            let mut scene = Scene {
+                entities: iter::once(first).chain(later.iter().map(hidden)).collect(),
+                lights: vec![PointLight::default()],
+                background: Color::BLACK,
+                style: Style { shading, filter: Filtering::Trilinear, cull: Cull::Back },
+            };
+            let projection = perspective(60.0, 4.0 / 3.0, 0.01, 100.0).unwrap();
+            let mut target = Target::new(160, 120);
+            (target.antialiased, target.wireframe) = (antialiased, wireframe);
+            let mut outside = [0; 4];
+            for (frame, outside) in outside.iter_mut().enumerate() {
+                if frame > 0 {
+                    scene.entities[frame].position.z = -3.0;
+                }
+                let allocations = allocation_counter::measure(|| {
+                    *outside = render_scene(&scene, &mut target, &projection, &Mat4::IDENTITY).outside;
+                });
+                let what = format!("{shading:?}, {antialiased}, {wireframe}, frame {frame}");
+                assert_eq!(allocations.count_total == 0, frame > 0, "{what}");
+            }
+            assert_eq!(outside, [3, 2, 1, 0]);
         }
     }
 }

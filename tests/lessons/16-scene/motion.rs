@@ -8,7 +8,7 @@ use scene::held::{Held, PRESS};
 use scene::keys::{Key, Presses};
 use scene::levels::Sizes;
 use scene::orbit::{Axis, Way};
-use scene::{METHODS, Orbit, Simulation, Target, VERSIONS};
+use scene::{Counts, METHODS, Orbit, Simulation, Target, VERSIONS};
 
 fn any_orbit() -> impl Strategy<Value = Orbit> {
     (-400.0f32..400.0, -100.0f32..100.0, 0.1f32..50.0)
@@ -167,6 +167,13 @@ fn each_key_that_a_version_has_is_seen_and_the_others_do_nothing() {
 }
 
 #[test]
+fn of_no_pixels_nothing_is_drawn() {
+    for (version, [width, height]) in (0..VERSIONS.len()).zip([[0, 0], [0, 7], [7, 0]].into_iter().cycle()) {
+        assert_eq!(simulation(version).draw(&mut Target::new(width, height)), Counts::default());
+    }
+}
+
+#[test]
 fn a_key_that_comes_later_is_refused_and_it_is_said_when_it_comes() {
     for (version, key, said) in [
         (6, Key::F1, "--keys F1: version 6 has no such key, version 7 has"),
@@ -223,5 +230,10 @@ fn without_a_display_one_line_says_so() {
         let output = program.envs(display).args(["--version", "0"]).output().unwrap();
         verify::usage::assert_fails(&output, 1, &["there is no display to open a window on", "--out FILE"]);
     }
+    // After Escape none is asked for.
+    let mut program = verify::program("scene", folder.path());
+    let output = program.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    let output = output.args(["--version", "0", "--keys", "Escape"]).output().unwrap();
+    assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]));
     assert_eq!(verify::names(folder.path()), [""; 0]);
 }

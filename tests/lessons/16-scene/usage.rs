@@ -1,3 +1,4 @@
+use scene::keys::Key;
 use scene::{LESSON, METHODS, VERSIONS};
 use verify::{draw, names, run, usage};
 
@@ -12,6 +13,17 @@ fn shown(version: &str, arguments: &[&str]) -> common::Image {
 #[test]
 fn what_holds_for_every_lesson() {
     usage::check(&LESSON);
+}
+
+#[test]
+fn help_has_every_key() {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let output = run(LESSON.name, folder.path(), &["--help"]);
+    let help = String::from_utf8_lossy(&output.stdout);
+    let (_, keys) = help.split_once("\nKeys:\n").expect("a part about keys");
+    let told: Vec<_> = keys.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let names = Key::NAMES.iter().map(|(name, _)| *name);
+    assert!(names.chain(["Space"]).all(|name| told.contains(&name)), "{help}");
 }
 
 /// Each in one line, with exit code 2, and no window and no file.

@@ -21,7 +21,7 @@ use super::draw::{Line, Lines, lines_in_each_layout};
 use super::measure::Work;
 use super::table::{Point, read_points, series_of, write_points};
 use super::{Comparison, Pictures, Run, caption};
-use crate::lessons::scene::figures::{sizes, stage_shape};
+use crate::lessons::scene::figures::sizes;
 
 /// The size in which the lesson's scenes are stated.
 const SIZE: [u16; 2] = [1024, 768];
@@ -186,7 +186,7 @@ fn seen_from(distance: usize) -> anyhow::Result<[Mat4; 2]> {
 fn heads(distance: usize) -> anyhow::Result<Vec<Work>> {
     let [projection, camera] = seen_from(distance)?;
     let work = |stage: &Stage| {
-        let mesh = Mesh::new(&stage_shape(stage)?, Paint::Color(Color::gray(0.8)));
+        let mesh = stage.mesh(&Paint::Color(Color::gray(0.8)))?;
         let scene = Scene {
             entities: vec![Entity::new(Levels::one(mesh))],
             lights: vec![PointLight::default()],

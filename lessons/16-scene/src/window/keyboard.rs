@@ -1,4 +1,4 @@
-//! Which key of a keyboard is which of ours.
+//! Which key of a keyboard is which of ours, and which are down.
 
 use winit::keyboard::{Key as Typed, KeyCode, NamedKey, PhysicalKey};
 
@@ -8,7 +8,7 @@ use crate::keys::Key;
 /// What a key does, by what is written on it, in whatever case.
 ///
 /// W and S are told by their letters, not by their places: on a French keyboard the key at W's place has a Z on it. Where
-/// keys have other letters than Latin ones, as Greek and Russian keyboards do, the place decides.
+/// a key has a letter that is not ASCII, as all of a Greek or Russian keyboard's and some of others, the place decides.
 pub(super) fn key(typed: &Typed, place: PhysicalKey) -> Option<Key> {
     match typed {
         Typed::Named(NamedKey::Escape) => Some(Key::Escape),
@@ -30,12 +30,32 @@ pub(super) fn key(typed: &Typed, place: PhysicalKey) -> Option<Key> {
 }
 // ANCHOR_END: key
 
+/// The keys that are down, by their places: between press and release Num Lock, AltGr or another layout may change what is
+/// written on them.
+#[derive(Default)]
+pub(super) struct Down(Vec<(PhysicalKey, Key)>);
+
+impl Down {
+    /// Key down.
+    pub(super) fn press(&mut self, place: PhysicalKey, key: Key) {
+        self.0.push((place, key));
+    }
+
+    /// The key at a place up: what it was when it went down, unless another place still holds the same, as the arrows of the
+    /// keypad do.
+    pub(super) fn release(&mut self, place: PhysicalKey) -> Option<Key> {
+        let at = self.0.iter().position(|&(down, _)| down == place)?;
+        let (_, key) = self.0.swap_remove(at);
+        (!self.0.iter().any(|&(_, other)| other == key)).then_some(key)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn letters_count_where_they_are_latin_else_places() {
+    fn letters_count_where_they_are_ascii_else_places() {
         for (letter, place, expected) in [
             ("w", KeyCode::KeyW, Some(Key::W)),
             ("W", KeyCode::KeyW, Some(Key::W)),
@@ -51,6 +71,8 @@ mod tests {
             ("Ы", KeyCode::KeyS, Some(Key::S)),
             ("ς", KeyCode::KeyW, Some(Key::W)),
             ("я", KeyCode::KeyZ, None),
+            // French as bépo has it.
+            ("é", KeyCode::KeyW, Some(Key::W)),
             ("x", KeyCode::KeyX, None),
         ] {
             assert_eq!(key(&Typed::Character(letter.into()), PhysicalKey::Code(place)), expected, "{letter}");
@@ -73,5 +95,18 @@ mod tests {
         ] {
             assert_eq!(key(&Typed::Named(named), PhysicalKey::Code(place)), expected, "{named:?}");
         }
+    }
+
+    #[test]
+    fn a_key_is_down_until_the_last_place_that_has_it_is_released() {
+        let [arrow, keypad, other] =
+            [KeyCode::ArrowLeft, KeyCode::Numpad4, KeyCode::KeyW].map(PhysicalKey::Code);
+        let mut down = Down::default();
+        assert_eq!(down.release(arrow), None);
+        for (place, key) in [(arrow, Key::Left), (keypad, Key::Left), (other, Key::W)] {
+            down.press(place, key);
+        }
+        let released = [arrow, arrow, other, keypad, keypad].map(|place| down.release(place));
+        assert_eq!(released, [None, None, Some(Key::W), Some(Key::Left), None]);
     }
 }

@@ -5,8 +5,9 @@ use std::time::{Duration, Instant};
 /// The title is written at most so often.
 const TITLE: Duration = Duration::from_millis(250);
 
-/// No step of time is longer. Where more has passed, no picture took that long, but the window was hidden, of which not
-/// every system tells, or the machine was asleep.
+/// No step of time is longer. Where more has passed, the window was hidden, of which not every system tells, or the machine was
+/// asleep; what a picture takes beyond a second is lost, too, and the scene is the slower for it. Of keys it is told between two
+/// pictures: pressed and released during one, they count as a press, however long they were held.
 const LONGEST: Duration = Duration::from_secs(1);
 
 /// The clock of a window.
@@ -25,17 +26,21 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// For a screen that shows so many pictures in a thousand seconds; 60 a second where it does not say.
-    pub(super) fn new(millihertz: Option<u32>) -> Self {
-        let millihertz = millihertz.filter(|&rate| rate > 0).unwrap_or(60_000);
+    /// For a screen that shows 60 pictures a second.
+    pub(super) fn new() -> Self {
         Self {
-            period: Duration::from_secs(1000) / millihertz,
+            period: period(60_000),
             counted: None,
             begun: None,
             titled: None,
             pictures: 0,
             drawing: Duration::ZERO,
         }
+    }
+
+    /// For a screen that shows so many pictures in a thousand seconds from now on; as until now where it does not say.
+    pub(super) fn follow(&mut self, millihertz: Option<u32>) {
+        self.period = millihertz.filter(|&rate| rate > 0).map_or(self.period, period);
     }
 
     /// How much time has passed since this was asked last, or since time stood still.
@@ -74,6 +79,10 @@ impl Pace {
     }
 }
 
+fn period(millihertz: u32) -> Duration {
+    Duration::from_secs(1000) / millihertz
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,7 +93,7 @@ mod tests {
 
     #[test]
     fn time_passes_from_one_asking_to_the_next_unless_it_stands_still() {
-        let (mut pace, start) = (Pace::new(None), Instant::now());
+        let (mut pace, start) = (Pace::new(), Instant::now());
         let passed: Vec<u128> = [0, 5, 7, 1007, 5000, 4000]
             .into_iter()
             .map(|at| pace.passed(start + milliseconds(at)).as_millis())
@@ -98,18 +107,22 @@ mod tests {
     #[test]
     fn pictures_follow_each_other_as_the_screen_shows_them() {
         let start = Instant::now();
-        for (rate, period) in [(Some(50_000), 20), (Some(125_000), 8)] {
-            let mut pace = Pace::new(rate);
-            assert_eq!(pace.due(start), start);
-            pace.drew(start, start + milliseconds(3));
-            assert_eq!(pace.due(start + milliseconds(4)), start + milliseconds(period));
+        let mut pace = Pace::new();
+        assert_eq!(pace.due(start), start);
+        pace.drew(start, start + milliseconds(3));
+        // The window is on one screen after the other; the last two do not say.
+        for (rate, period) in
+            [(None, 16_666), (Some(50_000), 20_000), (Some(125_000), 8000), (None, 8000), (Some(0), 8000)]
+        {
+            pace.follow(rate);
+            let due = pace.due(start + milliseconds(4));
+            assert_eq!((due - start).as_micros(), period, "{rate:?}");
         }
-        assert_eq!([None, Some(0)].map(|rate| Pace::new(rate).period.as_micros()), [16_666; 2]);
     }
 
     #[test]
     fn a_title_has_the_mean_since_the_last_and_waits_for_a_picture() {
-        let (mut pace, start) = (Pace::new(None), Instant::now());
+        let (mut pace, start) = (Pace::new(), Instant::now());
         assert_eq!(pace.title_due(start), None);
         pace.drew(start, start + milliseconds(30));
         assert_eq!(pace.title_due(start), Some(start));

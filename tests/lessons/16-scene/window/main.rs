@@ -113,6 +113,32 @@ fn a_held_key_moves_the_eye_until_it_is_released_or_the_window_loses_the_keyboar
 
 #[test]
 #[ignore = "takes Xvfb and xdotool, which .ci/run installs"]
+fn a_held_key_is_released_whatever_is_written_on_it_by_then() {
+    /// The number that X has for the key of a keypad with 4 and an arrow on it.
+    const KEYPAD_4: &str = "83";
+    let display = Display::new();
+    let shown = display.show(1, &arguments("9", "331x247"));
+    display.xdotool(&["keydown", KEYPAD_4]);
+    assert!(shown.is_moving(), "without Num Lock it is an arrow");
+    display.xdotool(&["key", "Num_Lock"]);
+    display.xdotool(&["keyup", KEYPAD_4]);
+    shown.wait_until_still();
+}
+
+#[test]
+#[ignore = "takes Xvfb and xdotool, which .ci/run installs"]
+fn nothing_is_pulled_once_the_window_has_lost_the_keyboard() {
+    let display = Display::new();
+    let shown = display.show(1, &arguments("9", "331x247"));
+    display.xdotool(&["mousemove", "100", "100", "mousedown", "1"]);
+    display.unfocus();
+    sleep(WHILE);
+    display.xdotool(&["mousemove", "160", "140"]);
+    shown.assert_shows(&drawn("9", "331x247", ""), "it may be released elsewhere");
+}
+
+#[test]
+#[ignore = "takes Xvfb and xdotool, which .ci/run installs"]
 fn the_mouse_pulls_and_scrolls_as_far_as_keys_move() {
     let display = Display::new();
     let shown = display.show(1, &arguments("9", "1024x768"));

@@ -64,8 +64,7 @@ pub type Sphere = fn(usize, usize) -> Shape;
 pub type Orbit = fn(f32, f32, f32) -> Mat4;
 
 /// Azimuth, elevation and distance of a camera that starts at (0, 0, 4), after keys: each `Right` and `Up` turns it by 10°, each
-/// `W` brings it nearer by a tenth;
-/// `Left`, `Down` and `S` undo these.
+/// `W` brings it nearer by a tenth; `Left`, `Down` and `S` undo these.
 ///
 /// # Panics
 /// Where there is no such key.
