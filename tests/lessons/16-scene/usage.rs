@@ -104,7 +104,8 @@ fn keys_and_their_opposites() {
     {
         assert!(shown("11", &["--keys", none]) == still, "{none}");
     }
-    for some in ["F1", "F2", "Left", "Right", "Up", "Down", "W", "S", "f1", "left", "F1*3"] {
+    // Down comes after Up: at first this eye is as low as it goes.
+    for some in ["F1", "F2", "Left", "Right", "Up", "Up*2 Down", "W", "S", "f1", "left", "F1*3"] {
         assert!(shown("11", &["--keys", some]) != still, "{some}");
     }
     assert!(shown("11", &["--keys", "w*2 Left"]) == shown("11", &["--keys", "Left W W"]));

@@ -30,7 +30,7 @@ pub(super) fn key(typed: &Typed, place: PhysicalKey) -> Option<Key> {
 }
 // ANCHOR_END: key
 
-/// The keys that are down, by their places: between press and release Num Lock, AltGr or another layout may change what is
+/// The keys that are down, by their places: between press and release Num Lock, Alt Gr or another layout may change what is
 /// written on them.
 #[derive(Default)]
 pub(super) struct Down(Vec<(PhysicalKey, Key)>);
