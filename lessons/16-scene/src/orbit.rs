@@ -248,7 +248,7 @@ mod tests {
         for time in (0..=40).map(|n| n * DOUBLE / 10) {
             let down = start.moved(Axis::Nearer, -time).moved(Axis::Up, -10 * TURN);
             let height = down.camera().w_axis.y;
-            assert!(height >= -0.9 - 1e-4 && height < 0.0, "{time}: {height}");
+            assert!((-0.9 - 1e-4..0.0).contains(&height), "{time}: {height}");
             assert!(down.moved(Axis::Up, TURN / 36).elevation() > down.elevation() + 5.0, "{time}");
             assert_eq!(down.moved(Axis::Nearer, time.min(3 * DOUBLE)).elevation(), -4.0);
         }
