@@ -62,8 +62,8 @@ pub const MISSION: Mission<Scene> = Mission {
             precision: Precision::NUMBERS,
         },
         Check {
-            name: "keys",
-            asks: "the sphere beside a cube, after some keys",
+            name: "picture",
+            asks: "the sphere beside a cube, as the camera sees them after some keys",
             points: 1,
             tasks: |rng| vec![picture(rng, &["Right", "Up"]), picture(rng, &["Left", "Down"])],
             precision: PICTURE,
