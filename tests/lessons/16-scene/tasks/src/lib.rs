@@ -102,7 +102,7 @@ fn positions(size: [usize; 2]) -> Task<Scene> {
 }
 
 fn winding(size: [usize; 2]) -> Task<Scene> {
-    of_a_sphere(size, "let got = wound(&shape);", |shape| Raw::rows(wound(shape)))
+    of_a_sphere(size, "let got = scene_tasks::wound(&shape);", |shape| Raw::rows(wound(shape)))
 }
 
 /// The triangles of a shape, each from its first vertex on, in order: with which of its corners a triangle begins, and which
