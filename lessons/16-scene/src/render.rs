@@ -54,7 +54,8 @@ struct View {
 
 /// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
 /// then what one sees through, the farthest first, which leaves no depths behind. How near what is opaque is, is told by the
-/// far end of the sphere that it is within, for the others by its middle. Of surfaces that are equally deep the one drawn first stays.
+/// far end of the sphere that it is within, for the others by its middle. Of surfaces that are equally deep the one drawn first
+/// stays.
 ///
 /// `inverse_camera` is the inverse of the camera's own matrix, from the world to eye space; where it has no inverse itself,
 /// there is no eye, and nothing but the background is seen.
@@ -126,9 +127,7 @@ fn draw_wires(
     picture: &mut Image,
 ) -> clipping::Counts {
     picture.set_all(|_| scene.background);
-    for entity in &scene.entities {
-        entity.levels.all().iter().for_each(|(mesh, _)| wires.reserve(mesh));
-    }
+    scene.entities.iter().for_each(|entity| wires.reserve(entity.levels.finest()));
     let mut counts = clipping::Counts::default();
     for queued in queue {
         let entity = &scene.entities[queued.entity];
@@ -164,8 +163,8 @@ fn draw<C: Canvas<Stencil = ()>>(
     counts
 }
 
-/// Makes room for an entity's vertices, of what its paint and its shading interpolate, in whichever level: a frame in which it
-/// comes nearer, or into the picture, allocates nothing.
+/// Makes room for an entity's vertices, of what its paint and its shading interpolate, in the finest of its levels: a frame in
+/// which it comes nearer, or into the picture, allocates nothing.
 // ANCHOR: reserve
 fn reserve(entity: &Entity, shading: Shading, kept: &mut Kept) {
     fn of<B: Base, L: Lighting>(vertices: usize, opaque: bool, kept: &mut Kept) {
@@ -175,20 +174,19 @@ fn reserve(entity: &Entity, shading: Shading, kept: &mut Kept) {
             kept.of::<Vertices<((B::Varying, L::Varying), ())>>().reserve(vertices);
         }
     }
-    for (mesh, _) in entity.levels.all() {
-        let of = match (mesh.paint(), shading) {
-            (Paint::Color(_), Shading::Unlit) => of::<Color, ()>,
-            (Paint::Color(_), Shading::Phong) => of::<Color, AtVertices>,
-            (Paint::Color(_), Shading::BlinnPhong) => of::<Color, AtPixels>,
-            (Paint::Colors(_), Shading::Unlit) => of::<&[Color], ()>,
-            (Paint::Colors(_), Shading::Phong) => of::<&[Color], AtVertices>,
-            (Paint::Colors(_), Shading::BlinnPhong) => of::<&[Color], AtPixels>,
-            (Paint::Texture(_), Shading::Unlit) => of::<Textured, ()>,
-            (Paint::Texture(_), Shading::Phong) => of::<Textured, AtVertices>,
-            (Paint::Texture(_), Shading::BlinnPhong) => of::<Textured, AtPixels>,
-        };
-        of(mesh.assembled().vertices.len(), entity.is_opaque(), kept);
-    }
+    let mesh = entity.levels.finest();
+    let of = match (mesh.paint(), shading) {
+        (Paint::Color(_), Shading::Unlit) => of::<Color, ()>,
+        (Paint::Color(_), Shading::Phong) => of::<Color, AtVertices>,
+        (Paint::Color(_), Shading::BlinnPhong) => of::<Color, AtPixels>,
+        (Paint::Colors(_), Shading::Unlit) => of::<&[Color], ()>,
+        (Paint::Colors(_), Shading::Phong) => of::<&[Color], AtVertices>,
+        (Paint::Colors(_), Shading::BlinnPhong) => of::<&[Color], AtPixels>,
+        (Paint::Texture(_), Shading::Unlit) => of::<Textured, ()>,
+        (Paint::Texture(_), Shading::Phong) => of::<Textured, AtVertices>,
+        (Paint::Texture(_), Shading::BlinnPhong) => of::<Textured, AtPixels>,
+    };
+    of(mesh.assembled().vertices.len(), entity.is_opaque(), kept);
 }
 // ANCHOR_END: reserve
 

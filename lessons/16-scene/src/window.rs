@@ -31,8 +31,8 @@ use crate::target::Target;
 use keyboard::{Down, key};
 use pace::Pace;
 
-/// Shows a simulation until Escape is pressed or the window closed; no window where it is over already. At first the window is so wide and so high, in pixels of
-/// a screen whose scale is 1.
+/// Shows a simulation until Escape is pressed or the window closed; no window where it is over already. At first the window is
+/// so wide and so high, in pixels of a screen whose scale is 1.
 ///
 /// # Errors
 /// Where there is no display, or the system gives no window or no pixels.

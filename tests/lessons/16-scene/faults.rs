@@ -32,8 +32,7 @@ macro_rules! places {
         Scene {
             sphere: |latitudes, longitudes| {
                 rows(latitudes, longitudes, [1, 1], |i, j| {
-                    let ($theta, $phi) =
-                        (PI * i as f32 / latitudes as f32, TAU * j as f32 / longitudes as f32);
+                    let ($theta, $phi) = angles(i, j, [latitudes, longitudes]);
                     $place
                 })
             },
@@ -48,18 +47,29 @@ macro_rules! cells {
     (|$first:ident, $last:ident, $ul:ident, $ur:ident, $ll:ident, $lr:ident| $triangles:expr) => {
         Scene {
             sphere: |latitudes, longitudes| {
-                let mut shape = (RIGHT.sphere)(latitudes, longitudes);
-                shape.triangles.clear();
-                for i in 0..latitudes {
-                    for j in 0..longitudes {
-                        let ($first, $last) = (i == 0, i == latitudes - 1);
-                        let [upper, lower] = [i, i + 1].map(|i| (begin(i, longitudes) + j) as u32);
-                        let [$ul, $ur, $ll, $lr] = [upper, upper + 1, lower, lower + 1];
-                        let triangles: Vec<[u32; 3]> = $triangles;
-                        shape.triangles.extend(triangles);
-                    }
-                }
-                shape
+                let begin = |i| begin(i, longitudes);
+                with_cells(
+                    [latitudes, longitudes],
+                    longitudes,
+                    begin,
+                    |$first, $last, [$ul, $ur, $ll, $lr]| $triangles,
+                )
+            },
+            ..RIGHT
+        }
+    };
+}
+
+/// Vertices as [`rows`] counts them: how many less are at a pole, how many more at the seam; and how many rows and columns the
+/// angles are divided by.
+macro_rules! grids {
+    (|$latitudes:ident, $longitudes:ident| $counts:expr, $by:expr) => {
+        Scene {
+            sphere: |$latitudes, $longitudes| {
+                rows($latitudes, $longitudes, $counts, |i, j| {
+                    let (theta, phi) = angles(i, j, $by);
+                    sphere_at(theta, phi)
+                })
             },
             ..RIGHT
         }
@@ -126,9 +136,9 @@ fn sphere_at(theta: f32, phi: f32) -> Vec3 {
     Vec3::new(theta.sin() * phi.sin(), theta.cos(), theta.sin() * phi.cos())
 }
 
-/// Where a vertex of the right number of rows is.
-fn at(i: usize, j: usize, latitudes: f32, longitudes: f32) -> Vec3 {
-    sphere_at(PI * i as f32 / latitudes, TAU * j as f32 / longitudes)
+/// θ and φ of a vertex, where a half turn has so many rows and a whole one so many columns.
+fn angles(i: usize, j: usize, [latitudes, longitudes]: [usize; 2]) -> (f32, f32) {
+    (PI * i as f32 / latitudes as f32, TAU * j as f32 / longitudes as f32)
 }
 
 /// Away from the origin.
@@ -222,78 +232,26 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
         cause: "there is no vertex twice at the seam: a row has one more than there are columns, with u = 1",
         hint: Some(1),
         versions: &[
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [0, 0], |i, j| at(i, j, latitudes as f32, longitudes as f32))
-                },
-                ..RIGHT
-            },
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [longitudes - 1, 0], |i, j| {
-                        at(i, j, latitudes as f32, longitudes as f32)
-                    })
-                },
-                ..RIGHT
-            },
+            grids!(|latitudes, longitudes| [0, 0], [latitudes, longitudes]),
+            grids!(|latitudes, longitudes| [longitudes - 1, 0], [latitudes, longitudes]),
         ],
     },
     Fault {
         cause: "the number of vertices at a pole: one for each column, no more and no less",
         hint: Some(1),
         versions: &[
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [0, 1], |i, j| at(i, j, latitudes as f32, longitudes as f32))
-                },
-                ..RIGHT
-            },
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [longitudes, 1], |i, j| {
-                        at(i, j, latitudes as f32, longitudes as f32)
-                    })
-                },
-                ..RIGHT
-            },
+            grids!(|latitudes, longitudes| [0, 1], [latitudes, longitudes]),
+            grids!(|latitudes, longitudes| [longitudes, 1], [latitudes, longitudes]),
         ],
     },
     Fault {
         cause: "an angle is divided by one too many or too few: row `latitudes` is at π, column `longitudes` at 2π",
         hint: Some(1),
         versions: &[
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [1, 1], |i, j| {
-                        at(i, j, latitudes as f32 + 1.0, longitudes as f32)
-                    })
-                },
-                ..RIGHT
-            },
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [1, 1], |i, j| {
-                        at(i, j, latitudes as f32, longitudes as f32 + 1.0)
-                    })
-                },
-                ..RIGHT
-            },
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [1, 1], |i, j| {
-                        at(i, j, latitudes as f32, longitudes as f32 - 1.0)
-                    })
-                },
-                ..RIGHT
-            },
-            Scene {
-                sphere: |latitudes, longitudes| {
-                    rows(latitudes, longitudes, [1, 1], |i, j| {
-                        at(i, j, latitudes as f32 - 1.0, longitudes as f32)
-                    })
-                },
-                ..RIGHT
-            },
+            grids!(|latitudes, longitudes| [1, 1], [latitudes + 1, longitudes]),
+            grids!(|latitudes, longitudes| [1, 1], [latitudes, longitudes + 1]),
+            grids!(|latitudes, longitudes| [1, 1], [latitudes, longitudes - 1]),
+            grids!(|latitudes, longitudes| [1, 1], [latitudes - 1, longitudes]),
         ],
     },
     Fault {
@@ -377,19 +335,8 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
             }),
             Scene {
                 sphere: |latitudes, longitudes| {
-                    let mut shape = (RIGHT.sphere)(latitudes, longitudes);
-                    shape.triangles.clear();
-                    for i in 0..latitudes {
-                        for j in 0..longitudes - 1 {
-                            let [ul, ll] = [i, i + 1].map(|i| (begin(i, longitudes) + j) as u32);
-                            shape.triangles.extend(cell(
-                                i == 0,
-                                i == latitudes - 1,
-                                [ul, ul + 1, ll, ll + 1],
-                            ));
-                        }
-                    }
-                    shape
+                    let begin = |i| begin(i, longitudes);
+                    with_cells([latitudes, longitudes], longitudes - 1, begin, cell)
                 },
                 ..RIGHT
             },
@@ -401,13 +348,14 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
         versions: &[
             Scene {
                 sphere: |latitudes, longitudes| {
-                    let begin = |i: usize| i * (longitudes + 1);
-                    with_begins(latitudes, longitudes, begin)
+                    with_cells([latitudes, longitudes], longitudes, |i| i * (longitudes + 1), cell)
                 },
                 ..RIGHT
             },
             Scene {
-                sphere: |latitudes, longitudes| with_begins(latitudes, longitudes, |i| i * longitudes),
+                sphere: |latitudes, longitudes| {
+                    with_cells([latitudes, longitudes], longitudes, |i| i * longitudes, cell)
+                },
                 ..RIGHT
             },
         ],
@@ -562,14 +510,20 @@ pub(crate) const FAULTS: &[Fault<Scene>] = &[
     },
 ];
 
-/// The right sphere, with triangles as if each row began elsewhere.
-fn with_begins(latitudes: usize, longitudes: usize, begin: impl Fn(usize) -> usize) -> Shape {
+/// The right sphere's vertices, with other triangles: in so many columns, where row i is taken to begin at `begin(i)`, and each cell
+/// has `triangles(at the north pole, at the south pole, its corners)`.
+fn with_cells(
+    [latitudes, longitudes]: [usize; 2],
+    columns: usize,
+    begin: impl Fn(usize) -> usize,
+    triangles: impl Fn(bool, bool, [u32; 4]) -> Vec<[u32; 3]>,
+) -> Shape {
     let mut shape = (RIGHT.sphere)(latitudes, longitudes);
     shape.triangles.clear();
     for i in 0..latitudes {
-        for j in 0..longitudes {
+        for j in 0..columns {
             let [ul, ll] = [i, i + 1].map(|i| (begin(i) + j) as u32);
-            shape.triangles.extend(cell(i == 0, i == latitudes - 1, [ul, ul + 1, ll, ll + 1]));
+            shape.triangles.extend(triangles(i == 0, i == latitudes - 1, [ul, ul + 1, ll, ll + 1]));
         }
     }
     shape
