@@ -128,7 +128,7 @@ pub struct Flags {
     #[arg(long)]
     second_seed: bool,
 
-    /// Draw nothing; measure N times instead and check that each time the same methods are beaten by none
+    /// Draw nothing; measure N times instead and tell where other methods are beaten by none than in the book's charts
     #[arg(long, value_name = "N")]
     again: Option<u32>,
 }
@@ -546,8 +546,9 @@ fn second_seed(charts: &[&Chart], effort: Effort) -> anyhow::Result<()> {
 }
 
 /// Measures tables so many times, and compares each time which methods none beats with the book's figures. A method has
-/// moved where both are sure of it, and of opposite things, in three measurements in a row. What was measured on another
-/// processor is told alone.
+/// moved where both are sure of it, and of opposite things, in three measurements in a row. That is told, and is no error:
+/// functions lie elsewhere in each build, of which there are only three, and machines of one name differ. What was measured
+/// on another processor is told apart.
 fn again(charts: &[&Chart], times: u32, mut run: Run) -> anyhow::Result<()> {
     const IN_A_ROW: u32 = 3;
     let bar = progress(charts.len() * times as usize)?;
@@ -591,14 +592,13 @@ fn again(charts: &[&Chart], times: u32, mut run: Run) -> anyhow::Result<()> {
     if !elsewhere.is_empty() {
         println!("on another processor than the book's it is otherwise with these: {}", elsewhere.join("; "));
     }
-    ensure!(
-        moved.is_empty(),
-        "the book's charts say otherwise of whether a method beats these: {}",
-        moved.join("; ")
-    );
-    println!(
-        "the methods that none beats are those of the book's charts, where these were measured on this processor"
-    );
+    if moved.is_empty() {
+        println!(
+            "the methods that none beats are those of the book's charts, where these were measured on this processor"
+        );
+    } else {
+        println!("the book's charts say otherwise of these, measure them again: {}", moved.join("; "));
+    }
     Ok(())
 }
 
