@@ -149,6 +149,13 @@ impl Setup {
     }
     // ANCHOR_END: new
 
+    /// Whether some side is too long for `f64`, so that an edge function is to be asked for by itself at each point.
+    #[inline]
+    #[must_use]
+    pub fn is_wide(&self) -> bool {
+        self.wide
+    }
+
     /// The covered pixels of a row.
     #[inline]
     #[must_use]

@@ -1,0 +1,191 @@
+//! Lesson 17: the same pixels, as fast as the machine allows.
+
+pub mod blocks;
+mod deferred;
+pub mod eight;
+pub mod filters;
+pub mod frame;
+mod hierarchy;
+mod raster;
+mod tile;
+mod triangle;
+
+use clipping::render::triangles;
+use clipping::{Clipping, Counts, Cull};
+use common::{Color, Image, Lesson, Method, Table};
+use filtering::Surface;
+use filtering::filter::{Anisotropic, Bilinear, Bilinear8, Nearest, Trilinear};
+use filtering::shader::Filtered;
+use perspective::depth::ZF32;
+use perspective::draw_triangle;
+use perspective::lighting::Clamped;
+
+use blocks::Blocks;
+use filters::WideFilter;
+use frame::{Frame, Plan};
+
+/// This lesson.
+pub const LESSON: Lesson = Lesson {
+    number: 17,
+    name: "speed",
+    title: "Speed",
+    job: "the same pixels, as fast as the machine allows",
+    tables: &[Table { name: "", job: "Draw fast", rows: || Method::rows(METHODS) }],
+};
+
+/// Lesson 13's surfaces, and how they are to be drawn.
+#[derive(Clone, Copy)]
+pub struct Picture<'a> {
+    /// What is drawn, in this order.
+    pub surfaces: &'a [Surface<'a>],
+    /// Which triangles are left out.
+    pub cull: Cull,
+}
+
+/// Who draws one picture after another, all of one size.
+pub type Drawer = Box<dyn FnMut(&Picture, &mut Image) -> Counts>;
+
+/// A method.
+pub struct Renderer {
+    /// Which ideas it uses, if it draws in tiles.
+    pub plan: Option<Plan>,
+    /// Who draws by it, for each row of lesson 13's table of filters.
+    start: [fn(Option<Plan>, [i32; 2]) -> Drawer; 5],
+}
+
+impl Renderer {
+    const SIMPLE: Self = Self {
+        plan: None,
+        start: [
+            |_, _| simple::<Nearest>(),
+            |_, _| simple::<Bilinear>(),
+            |_, _| simple::<Bilinear8>(),
+            |_, _| simple::<Trilinear>(),
+            |_, _| simple::<Anisotropic>(),
+        ],
+    };
+
+    const BLOCKS: Self = Self {
+        plan: None,
+        start: [
+            |_, _| blocks::<Nearest>(),
+            |_, _| blocks::<Bilinear>(),
+            |_, _| blocks::<Bilinear8>(),
+            |_, _| blocks::<Trilinear>(),
+            |_, _| blocks::<Anisotropic>(),
+        ],
+    };
+
+    const fn tiled(plan: Plan) -> Self {
+        Self {
+            plan: Some(plan),
+            start: [
+                |plan, size| tiled::<Nearest>(plan, size),
+                |plan, size| tiled::<Bilinear>(plan, size),
+                |plan, size| tiled::<Bilinear8>(plan, size),
+                |plan, size| tiled::<Trilinear>(plan, size),
+                |plan, size| tiled::<Anisotropic>(plan, size),
+            ],
+        }
+    }
+
+    /// Who draws by it, pictures of that size in pixels, textures filtered by that row of lesson 13's table, with so many
+    /// threads if it uses them at all.
+    #[must_use]
+    pub fn drawer(&self, size: [i32; 2], filter: usize, threads: usize) -> Drawer {
+        let plan = self.plan.map(|plan| if plan.threads == 1 { plan } else { Plan { threads, ..plan } });
+        (self.start[filter])(plan, size)
+    }
+}
+
+fn simple<F: WideFilter>() -> Drawer {
+    Box::new(|picture, image| filtering::draw(picture.surfaces, F::default(), picture.cull, image).counts)
+}
+
+fn blocks<F: WideFilter>() -> Drawer {
+    Box::new(|picture, image| {
+        let size = image.size();
+        let mut target = perspective::Framebuffer::new(image, ZF32);
+        let mut counts = Counts::default();
+        for surface in picture.surfaces {
+            let shader = filtered(surface, F::default(), size);
+            let fill = |constant, corners, varyings| {
+                draw_triangle(&shader, constant, corners, varyings, Blocks, &mut target);
+            };
+            counts += triangles(&shader, surface.mesh, picture.cull, Clipping::GuardBand, size, fill);
+        }
+        counts
+    })
+}
+
+fn tiled<F: WideFilter>(plan: Option<Plan>, [width, height]: [i32; 2]) -> Drawer {
+    let mut frame = Frame::new(width, height, plan.unwrap_or(SIMD));
+    Box::new(move |picture, image| {
+        frame.clear(Color { a: 0, ..Color::BLACK });
+        let mut counts = Counts::default();
+        for surface in picture.surfaces {
+            let shader = filtered(surface, F::default(), image.size());
+            counts += frame.draw(&shader, surface.mesh, picture.cull);
+        }
+        frame.copy_to(image);
+        counts
+    })
+}
+
+/// Lesson 13's shader for a surface in a picture of that size.
+fn filtered<'a, F>(surface: &Surface<'a>, filter: F, size: common::Vec2) -> Filtered<'a, F, Clamped> {
+    let &Surface { uniforms, texture, .. } = surface;
+    Filtered { uniforms, texture, filter, lighting: Clamped, size }
+}
+
+const SIMD: Plan = Plan { tile: None, hierarchical: false, deferred: false, threads: 1 };
+const TILES: Plan = Plan { tile: Some(64), ..SIMD };
+const HIERARCHICAL: Plan = Plan { hierarchical: true, ..TILES };
+const DEFERRED: Plan = Plan { deferred: true, ..HIERARCHICAL };
+const THREADS: Plan = Plan { threads: 0, ..DEFERRED };
+
+/// The ways to draw the same pixels, each with one idea more than the one before.
+pub const METHODS: &[Method<Renderer>] = &[
+    Method {
+        name: "simple",
+        run: Renderer::SIMPLE,
+        promise: "lesson 13's loop: a triangle after the other, a pixel after the other",
+        failure: "what is hidden later is shaded all the same; one pixel at a time, on one core",
+    },
+    Method {
+        name: "blocks",
+        run: Renderer::BLOCKS,
+        promise: "8×8 pixels accepted or rejected at once, by the edge functions at their corners",
+        failure: "by itself slower: small triangles touch four blocks for a few pixels",
+    },
+    Method {
+        name: "simd",
+        run: Renderer::tiled(SIMD),
+        promise: "eight pixels of a row tested and interpolated by the same instructions",
+        failure: "lanes outside of a triangle work for nothing; depths and colours of the whole picture pass through the cache",
+    },
+    Method {
+        name: "tiles",
+        run: Renderer::tiled(TILES),
+        promise: "64×64 pixels after the other, whose depths and colours stay in the cache; cleared when first drawn to",
+        failure: "all triangles must be known and sorted first; one that reaches over many tiles is made ready in each",
+    },
+    Method {
+        name: "hierarchical-depth",
+        run: Renderer::tiled(HIERARCHICAL),
+        promise: "each block knows its farthest depth: what is behind it is rejected at once",
+        failure: "nothing is rejected back to front, and each block is looked through again after it has changed",
+    },
+    Method {
+        name: "deferred",
+        run: Renderer::tiled(DEFERRED),
+        promise: "which triangle is seen is found first; each pixel is shaded once",
+        failure: "weights are computed twice; a shader that may drop fragments is not deferred",
+    },
+    Method {
+        name: "threads",
+        run: Renderer::tiled(THREADS),
+        promise: "tiles share no pixel: all cores draw, without a lock",
+        failure: "two threads share memory, caches and clock; what takes less than waking a thread gains nothing",
+    },
+];
