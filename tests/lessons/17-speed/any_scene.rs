@@ -4,9 +4,9 @@ use clipping::{Counts, Cull};
 use common::Color;
 use proptest::prelude::*;
 use proptest::sample::select;
-use speed::frame::{Frame, Plan};
+use speed::frame::Plan;
 
-use crate::canvas::{Canvas, Way, again, differing, drawn};
+use crate::canvas::{Canvas, Way, again, differing, drawn, frame};
 use crate::soup::{Corner, Drops, Soup};
 
 /// Widths and heights: one pixel, less than a block, a block, a pixel more than some, and one much wider than high.
@@ -143,11 +143,22 @@ fn grid(size: [u16; 2]) -> impl Strategy<Value = Soup> {
     })
 }
 
+/// One number of a position, if any, and what it is instead.
+fn odd() -> impl Strategy<Value = Option<(prop::sample::Index, usize, f32)>> {
+    let number = select(vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e-30]);
+    prop_oneof![15 => Just(None), 1 => (any::<prop::sample::Index>(), 0..4_usize, number).prop_map(Some)]
+}
+
 fn soup(size: [u16; 2]) -> impl Strategy<Value = Soup> {
     let drops = vec![Drops::Checker, Drops::Some, Drops::All, Drops::Nan, Drops::Triangles];
     let drops = prop_oneof![1 => Just(Drops::Nothing), 1 => select(drops)];
     let soup = prop_oneof![4 => apart(size).boxed(), 2 => layers(size).boxed(), 1 => grid(size).boxed()];
-    (soup, drops).prop_map(|(soup, drops)| soup.dropping(drops))
+    (soup, drops, odd()).prop_map(|(mut soup, drops, odd)| {
+        if let Some((index, axis, number)) = odd.filter(|_| !soup.positions.is_empty()) {
+            index.get_mut(&mut soup.positions)[axis] = number;
+        }
+        soup.dropping(drops)
+    })
 }
 
 fn picture(size: [u16; 2]) -> impl Strategy<Value = Picture> {
@@ -183,7 +194,7 @@ proptest! {
     /// One picture after the other in the same frame; and by blocks.
     #[test]
     fn any_scene_is_drawn_as_by_lesson_13((size, pictures, plan) in scene()) {
-        let mut frame = Frame::new(size[0].into(), size[1].into(), plan);
+        let mut frame = frame(size, plan);
         for picture in &pictures {
             let draw = |canvas: &mut Canvas| picture.draw(canvas);
             let (expected, counts) = drawn(Way::Simple, size, picture.background, draw);

