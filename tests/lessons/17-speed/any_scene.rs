@@ -4,6 +4,7 @@ use clipping::{Counts, Cull};
 use common::Color;
 use proptest::prelude::*;
 use proptest::sample::select;
+use proptest::test_runner::RngAlgorithm;
 use speed::frame::Plan;
 
 use crate::canvas::{Canvas, Way, again, differing, drawn, frame};
@@ -189,7 +190,10 @@ fn scene() -> impl Strategy<Value = ([u16; 2], Vec<Picture>, Plan)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(10_000))]
+    // Scenes are made of many numbers, most of the time with the usual generator.
+    #![proptest_config(ProptestConfig {
+        cases: 10_000, rng_algorithm: RngAlgorithm::XorShift, ..ProptestConfig::default()
+    })]
 
     /// One picture after the other in the same frame; and by blocks.
     #[test]

@@ -116,7 +116,6 @@ pub(crate) const FAULTS: &[Fault<Speed>] = &[
         versions: &[
             found!(|edges, right, up| ends(edges, right, up, 1.0)),
             found!(|edges, right, up| ends(edges, right, up, 7.0 * 256.0)),
-            found!(|edges, right, up| ends(edges, right, up, 7.0 / 256.0)),
         ],
     },
     Fault {

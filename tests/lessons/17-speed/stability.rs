@@ -281,8 +281,8 @@ const CELLS: &[Case<Cell>] = &[
     ("an eye inside a mesh", Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]]), ALL),
     ("an eye in a mesh's surface", Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.0, 0.0, 1.0), 0.001, size)]]), ALL),
     (
-        "inside, and backs left out",
-        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]]).culling(Cull::Back),
+        "inside, and fronts left out",
+        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]]).culling(Cull::Front),
         ALL,
     ),
     (
