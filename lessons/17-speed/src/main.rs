@@ -86,8 +86,11 @@ impl Program for Scene {
         let light = flags.light.direction;
         let surfaces: Vec<Surface> = self.models.iter().map(|model| model.surface(light, to_clip)).collect();
         let what = Picture { surfaces: &surfaces, cull: flags.cull.which };
-        let mut draw =
-            method.drawer([picture.width(), picture.height()], self.filter, flags.threads.unwrap_or(1));
+        let threads = flags.threads.map_or_else(
+            || available_parallelism().map_or(1, |threads| threads.get().min(MOST_THREADS as usize)),
+            usize::from,
+        );
+        let mut draw = method.drawer([picture.width(), picture.height()], self.filter, threads);
         let counts = draw(&what, picture);
         if let Some(times) = flags.repeat {
             let took = (0..times).map(|_| {
