@@ -1,6 +1,7 @@
 //! Draws lesson 17's picture: `cargo run --release -p speed`.
 
 use std::process::ExitCode;
+use std::thread::available_parallelism;
 use std::time::Instant;
 
 use camera::flags::ViewFlags;
@@ -32,12 +33,12 @@ struct Flags {
     wrap: String,
 
     /// How many threads draw, by a method that has threads [default: as many as the machine runs at once]
-    #[arg(long, value_name = "N")]
-    threads: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
+    threads: Option<u16>,
 
     /// Draw so many times after a first one, and print how long a picture takes
-    #[arg(long, value_name = "N")]
-    repeat: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    repeat: Option<u32>,
 
     #[command(flatten)]
     light: LightFlag,
@@ -48,6 +49,9 @@ struct Flags {
     #[command(flatten)]
     cull: CullFlag,
 }
+
+/// More than a picture has work for.
+const MOST_THREADS: i64 = 256;
 
 /// A head on a floor, or a model alone.
 struct Scene {
@@ -82,23 +86,29 @@ impl Program for Scene {
         let light = flags.light.direction;
         let surfaces: Vec<Surface> = self.models.iter().map(|model| model.surface(light, to_clip)).collect();
         let what = Picture { surfaces: &surfaces, cull: flags.cull.which };
-        let mut draw =
-            method.drawer([picture.width(), picture.height()], self.filter, flags.threads.unwrap_or(1));
+        let threads = flags.threads.map_or_else(
+            || available_parallelism().map_or(1, |threads| threads.get().min(MOST_THREADS as usize)),
+            usize::from,
+        );
+        let mut draw = method.drawer([picture.width(), picture.height()], self.filter, threads);
         let counts = draw(&what, picture);
         if let Some(times) = flags.repeat {
-            let mut took: Vec<f64> = (0..times)
-                .map(|_| {
-                    let start = Instant::now();
-                    draw(&what, picture);
-                    start.elapsed().as_secs_f64() * 1e3
-                })
-                .collect();
-            took.sort_by(f64::total_cmp);
-            let at = |share: f64| took[((took.len() - 1) as f64 * share) as usize];
-            println!("median {:.2} ms (p25 {:.2}, p75 {:.2})", at(0.5), at(0.25), at(0.75));
+            let took = (0..times).map(|_| {
+                let start = Instant::now();
+                draw(&what, picture);
+                start.elapsed().as_secs_f64() * 1e3
+            });
+            println!("{}", spread(took.collect()));
         }
         Ok(Extras { depth: None, left_out: counts.left_out })
     }
+}
+
+/// The middle of some times, in milliseconds, and the quarters below and above, each the time of one of the pictures.
+fn spread(mut times: Vec<f64>) -> String {
+    times.sort_by(f64::total_cmp);
+    let at = |quarter: usize| times[(times.len() - 1) * quarter / 4];
+    format!("median {:.2} ms (p25 {:.2}, p75 {:.2})", at(2), at(1), at(3))
 }
 
 fn main() -> ExitCode {
