@@ -7,7 +7,7 @@ use proptest::sample::select;
 use proptest::test_runner::RngAlgorithm;
 use speed::frame::Plan;
 
-use crate::canvas::{Canvas, Way, again, differing, drawn, frame};
+use crate::canvas::{Canvas, Way, again, differing, drawn, frame, levels};
 use crate::soup::{Corner, Drops, Soup};
 
 /// Widths and heights: one pixel, less than a block, a block, a pixel more than some, and one much wider than high.
@@ -169,24 +169,23 @@ fn picture(size: [u16; 2]) -> impl Strategy<Value = Picture> {
         .prop_map(|(soups, background)| Picture { soups, background })
 }
 
-pub(crate) fn plan() -> impl Strategy<Value = Plan> {
+/// By any plan, with any instructions that there are.
+pub(crate) fn tiled() -> impl Strategy<Value = Way> {
     let tile = prop_oneof![
         1 => Just(None),
         3 => (1..10).prop_map(|blocks| Some(8 * blocks)),
         1 => select(vec![Some(64), Some(1024)]),
     ];
     let threads = prop_oneof![40 => Just(1), 6 => 2..5_usize, 1 => select(vec![8, 64])];
-    (tile, any::<bool>(), any::<bool>(), threads).prop_map(|(tile, hierarchical, deferred, threads)| Plan {
-        tile,
-        hierarchical,
-        deferred,
-        threads,
+    let ideas = (tile, any::<bool>(), any::<bool>(), threads);
+    (ideas, select(levels())).prop_map(|((tile, hierarchical, deferred, threads), level)| {
+        Way::Tiled(Plan { tile, hierarchical, deferred, threads }, level)
     })
 }
 
-fn scene() -> impl Strategy<Value = ([u16; 2], Vec<Picture>, Plan)> {
+fn scene() -> impl Strategy<Value = ([u16; 2], Vec<Picture>, Way)> {
     select(SIZES.to_vec())
-        .prop_flat_map(|size| (Just(size), prop::collection::vec(picture(size), 1..3), plan()))
+        .prop_flat_map(|size| (Just(size), prop::collection::vec(picture(size), 1..3), tiled()))
 }
 
 proptest! {
@@ -197,14 +196,15 @@ proptest! {
 
     /// One picture after the other in the same frame; and by blocks.
     #[test]
-    fn any_scene_is_drawn_as_by_lesson_13((size, pictures, plan) in scene()) {
-        let mut frame = frame(size, plan);
+    fn any_scene_is_drawn_as_by_lesson_13((size, pictures, way) in scene()) {
+        let Way::Tiled(plan, level) = way else { unreachable!() };
+        let mut frame = frame(size, plan).at_level(level);
         for picture in &pictures {
             let draw = |canvas: &mut Canvas| picture.draw(canvas);
             let (expected, counts) = drawn(Way::Simple, size, picture.background, draw);
             let (tiled, tiled_counts) = again(&mut frame, size, picture.background, draw);
             let (blocks, block_counts) = drawn(Way::Blocks, size, picture.background, draw);
-            prop_assert_eq!(differing(&expected, &tiled), None, "{:?}", plan);
+            prop_assert_eq!(differing(&expected, &tiled), None, "{:?}", way);
             prop_assert_eq!(differing(&expected, &blocks), None, "blocks");
             prop_assert_eq!([tiled_counts, block_counts], [counts; 2]);
         }

@@ -3,21 +3,42 @@
 use clipping::render::triangles;
 use clipping::{Clipping, Counts, Cull, Mesh, render};
 use common::{Color, Format, Image};
+use fearless_simd::{Level, Simd};
 use perspective::depth::ZF32;
 use perspective::{Framebuffer, draw_triangle};
 use speed::blocks::Blocks;
-use speed::eight::Wide;
-use speed::frame::{Frame, Plan};
+use speed::frame::{Frame, Plan, Shared};
 
 /// Who draws.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Way {
     /// Lesson 11's loop.
     Simple,
     /// The same with blocks instead of rows.
     Blocks,
-    /// A frame.
-    Tiled(Plan),
+    /// A frame, with the instructions of that level.
+    Tiled(Plan, Level),
+}
+
+impl Way {
+    /// A frame with the best instructions that there are.
+    pub(crate) fn tiled(plan: Plan) -> Self {
+        Self::Tiled(plan, Level::new())
+    }
+}
+
+/// The levels of instructions that this machine has, from the least one on.
+pub(crate) fn levels() -> Vec<Level> {
+    let best = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    let others = [
+        best.as_sse4_2().map(|simd| simd.level()),
+        best.as_avx2().map(|simd| simd.level()),
+        best.as_avx512().map(|simd| simd.level()),
+    ];
+    #[cfg(not(target_arch = "x86_64"))]
+    let others = [Some(best)];
+    std::iter::once(Level::baseline()).chain(others.into_iter().flatten()).collect()
 }
 
 /// What is drawn to.
@@ -29,12 +50,7 @@ pub(crate) enum Canvas<'a> {
 
 impl Canvas<'_> {
     /// Draws a mesh over what is there.
-    pub(crate) fn draw<W>(&mut self, shader: &W, mesh: &Mesh, cull: Cull) -> Counts
-    where
-        W: Wide + Sync,
-        W::Constant: Send + Sync + 'static,
-        W::Varying: Send + Sync + 'static,
-    {
+    pub(crate) fn draw<W: Shared>(&mut self, shader: &W, mesh: &Mesh, cull: Cull) -> Counts {
         match self {
             Self::Simple(target) => render(shader, mesh, cull, Clipping::GuardBand, target),
             Self::Blocks(target) => {
@@ -49,8 +65,8 @@ impl Canvas<'_> {
 }
 
 /// A frame for pictures of that size.
-pub(crate) fn frame([width, height]: [u16; 2], plan: Plan) -> Frame {
-    Frame::new(width.into(), height.into(), plan)
+pub(crate) fn frame(size: [u16; 2], plan: Plan) -> Frame {
+    Frame::new(size.map(i32::from), plan)
 }
 
 /// What comes of a drawing on that background, and what became of its triangles.
@@ -60,13 +76,14 @@ pub(crate) fn drawn(
     background: Color,
     draw: impl FnOnce(&mut Canvas) -> Counts,
 ) -> (Image, Counts) {
-    if let Way::Tiled(plan) = way {
-        return again(&mut frame(size, plan), size, background, draw);
+    if let Way::Tiled(plan, level) = way {
+        return again(&mut frame(size, plan).at_level(level), size, background, draw);
     }
     let mut image = Image::new(size[0], size[1], Format::Rgba);
     image.set_all(|_| background);
     let target = Framebuffer::new(&mut image, ZF32);
-    let mut canvas = if way == Way::Simple { Canvas::Simple(target) } else { Canvas::Blocks(target) };
+    let mut canvas =
+        if matches!(way, Way::Simple) { Canvas::Simple(target) } else { Canvas::Blocks(target) };
     let counts = draw(&mut canvas);
     (image, counts)
 }

@@ -29,10 +29,10 @@ use shaders::lighting::{Flat, Gouraud, Lighting, Quantized};
 use shaders::shader::{Fragment, Shader, Varying};
 use shaders::source::{Source, Texture, White};
 use shaders::{Lit, SHADERS, Uniforms};
-use speed::eight::{EachPixel, Wide};
-use speed::frame::Plan;
+use speed::eight::EachPixel;
+use speed::frame::Shared;
 
-use crate::any_scene::plan;
+use crate::any_scene::tiled;
 use crate::canvas::{Canvas, Way, differing, drawn};
 
 /// A camera before a sphere of radius 1, or in it.
@@ -74,15 +74,10 @@ impl Shot {
     }
 
     /// Asserts that a shader's picture is the same by each way.
-    fn check<W>(&self, plan: Plan, name: &str, shader: &W, mesh: &Mesh)
-    where
-        W: Wide + Sync,
-        W::Constant: Send + Sync + 'static,
-        W::Varying: Send + Sync + 'static,
-    {
+    fn check<W: Shared>(&self, way: Way, name: &str, shader: &W, mesh: &Mesh) {
         let draw = |canvas: &mut Canvas| canvas.draw(shader, mesh, self.cull);
         let (expected, counts): (Image, Counts) = drawn(Way::Simple, self.size, BACKGROUND, draw);
-        for way in [Way::Blocks, Way::Tiled(plan)] {
+        for way in [Way::Blocks, way] {
             let (got, got_counts) = drawn(way, self.size, BACKGROUND, draw);
             assert_eq!(differing(&expected, &got), None, "{name} by {way:?}");
             assert_eq!(got_counts, counts, "{name} by {way:?}");
@@ -90,15 +85,15 @@ impl Shot {
     }
 
     /// The same of a shader that is asked pixel by pixel, and of it with holes.
-    fn check_each<S>(&self, plan: Plan, name: &str, keeps_all: bool, shader: S, mesh: &Mesh)
+    fn check_each<S>(&self, way: Way, name: &str, keeps_all: bool, shader: S, mesh: &Mesh)
     where
         S: Shader<Output = Color> + Sync,
         S::Constant: Send + Sync + 'static,
         S::Varying: Send + Sync + 'static,
     {
         let [whole, holes] = [false, true].map(|holes| AnyShader { shader: &shader, holes });
-        self.check(plan, name, &EachPixel { shader: whole, keeps_all }, mesh);
-        self.check(plan, &format!("{name} with holes"), &EachPixel { shader: holes, keeps_all: false }, mesh);
+        self.check(way, name, &EachPixel { shader: whole, keeps_all }, mesh);
+        self.check(way, &format!("{name} with holes"), &EachPixel { shader: holes, keeps_all: false }, mesh);
     }
 }
 
@@ -147,14 +142,14 @@ impl<C: Copy, V: Varying> Shader for AnyShader<'_, C, V> {
     }
 }
 
-fn shot() -> impl Strategy<Value = (Shot, Plan)> {
+fn shot() -> impl Strategy<Value = (Shot, Way)> {
     let near = prop::array::uniform3(-2.5..2.5_f32).prop_map(Vec3::from);
     let size = select(vec![[80, 60], [97, 33], [64, 64], [9, 90]]);
     let cull = select(vec![Cull::None, Cull::Back, Cull::Front]);
     let camera = (near.clone(), near, 20.0..120.0_f32);
-    (size, camera, cull, 3..9_usize, any::<u64>(), plan()).prop_map(
-        |(size, (eye, center, fov), cull, bands, seed, plan)| {
-            (Shot { size, eye, center: eye + 1e-3 + (center - eye), fov, cull, bands, seed }, plan)
+    (size, camera, cull, 3..9_usize, any::<u64>(), tiled()).prop_map(
+        |(size, (eye, center, fov), cull, bands, seed, way)| {
+            (Shot { size, eye, center: eye + 1e-3 + (center - eye), fov, cull, bands, seed }, way)
         },
     )
 }
@@ -163,31 +158,31 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
     #[test]
-    fn lesson_9s_shaders((shot, plan) in shot()) {
+    fn lesson_9s_shaders((shot, way) in shot()) {
         let mut rng = Rng::with_seed(shot.seed);
         let texture = noise(&mut rng, 13, 8);
         let loaded = Loaded::new(shot.model(&mut rng), texture, textures::Wrap::Repeat);
         let uniforms = loaded.uniforms(Vec3::new(0.6, 0.0, 0.8), shot.to_clip());
         let mesh = clipping::mesh::indexed(&loaded.model, &loaded.normals, BOTH);
         assert_eq!(SHADERS.len(), 5, "a shader is missing here");
-        fn check<S, L>(shot: &Shot, plan: Plan, name: &str, uniforms: Uniforms, mesh: &Mesh, keeps_all: bool)
+        fn check<S, L>(shot: &Shot, way: Way, name: &str, uniforms: Uniforms, mesh: &Mesh, keeps_all: bool)
         where
             S: Source<Varying: Send + Sync + 'static> + Default + Sync,
             L: Lighting<Constant: Send + Sync + 'static, Varying: Send + Sync + 'static> + Default + Sync,
         {
-            shot.check_each(plan, name, keeps_all, Lit::new(uniforms, S::default(), L::default()), mesh);
+            shot.check_each(way, name, keeps_all, Lit::new(uniforms, S::default(), L::default()), mesh);
         }
-        check::<White, Flat>(&shot, plan, "flat", uniforms, &mesh, true);
-        check::<Texture, Flat>(&shot, plan, "flat-texture", uniforms, &mesh, true);
-        check::<White, Gouraud>(&shot, plan, "gouraud", uniforms, &mesh, false);
-        check::<Texture, Gouraud>(&shot, plan, "gouraud-texture", uniforms, &mesh, false);
-        check::<White, Quantized>(&shot, plan, "quantized", uniforms, &mesh, false);
+        check::<White, Flat>(&shot, way, "flat", uniforms, &mesh, true);
+        check::<Texture, Flat>(&shot, way, "flat-texture", uniforms, &mesh, true);
+        check::<White, Gouraud>(&shot, way, "gouraud", uniforms, &mesh, false);
+        check::<Texture, Gouraud>(&shot, way, "gouraud-texture", uniforms, &mesh, false);
+        check::<White, Quantized>(&shot, way, "quantized", uniforms, &mesh, false);
         // And lesson 10's.
-        check::<Texture, Clamped>(&shot, plan, "clamped", uniforms, &mesh, true);
+        check::<Texture, Clamped>(&shot, way, "clamped", uniforms, &mesh, true);
     }
 
     #[test]
-    fn lesson_12s_shaders((shot, plan) in shot()) {
+    fn lesson_12s_shaders((shot, way) in shot()) {
         let mut rng = Rng::with_seed(shot.seed);
         let [texture, normals, shine] = [(); 3].map(|()| noise(&mut rng, 9, 14));
         let loaded = Loaded::new(shot.model(&mut rng), texture, textures::Wrap::Repeat);
@@ -205,18 +200,18 @@ proptest! {
         let tangent = PerPixel::<PointLit<Halfway>, _>::new(scene, TangentNormals(&normals));
         let surface = TangentNormals(&normals);
         let shining = PerPixel::<PointLit<Halfway>, _>::new(scene, Shining { surface, map: &shine });
-        shot.check_each(plan, "flat", true, PerTriangle::<PointLit<Mirrored>>::new(scene), &mesh);
-        shot.check_each(plan, "phong-vertex", true, PerCorner::<PointLit<Mirrored>>::new(scene), &mesh);
-        shot.check_each(plan, "phong", true, phong, &mesh);
-        shot.check_each(plan, "object-normals", true, object, &mesh);
-        shot.check_each(plan, "tangent-normals", true, tangent, &mesh);
-        shot.check_each(plan, "specular-map", false, shining, &mesh);
-        shot.check_each(plan, "outline", true, Swollen::new(scene, 0.1, Color::RED), &mesh);
-        shot.check_each(plan, "toon", true, PerPixel::<Toon, _>::new(scene, Smooth), &mesh);
+        shot.check_each(way, "flat", true, PerTriangle::<PointLit<Mirrored>>::new(scene), &mesh);
+        shot.check_each(way, "phong-vertex", true, PerCorner::<PointLit<Mirrored>>::new(scene), &mesh);
+        shot.check_each(way, "phong", true, phong, &mesh);
+        shot.check_each(way, "object-normals", true, object, &mesh);
+        shot.check_each(way, "tangent-normals", true, tangent, &mesh);
+        shot.check_each(way, "specular-map", false, shining, &mesh);
+        shot.check_each(way, "outline", true, Swollen::new(scene, 0.1, Color::RED), &mesh);
+        shot.check_each(way, "toon", true, PerPixel::<Toon, _>::new(scene, Smooth), &mesh);
     }
 
     #[test]
-    fn lesson_13s_shaders((shot, plan) in shot(), wrap in select(WRAPS), mipmap in 0..MIPMAPS.len()) {
+    fn lesson_13s_shaders((shot, way) in shot(), wrap in select(WRAPS), mipmap in 0..MIPMAPS.len()) {
         let mut rng = Rng::with_seed(shot.seed);
         let (width, height) = (rng.u16(1..40), rng.u16(1..40));
         let texture = noise(&mut rng, width, height);
@@ -233,8 +228,8 @@ proptest! {
                     lighting: Clamped,
                     size,
                 };
-                shot.check(plan, $name, &shader(), surface.mesh);
-                shot.check_each(plan, concat!($name, ", pixel by pixel"), true, shader(), surface.mesh);
+                shot.check(way, $name, &shader(), surface.mesh);
+                shot.check_each(way, concat!($name, ", pixel by pixel"), true, shader(), surface.mesh);
             };
         }
         check!("nearest", Nearest);
@@ -245,7 +240,7 @@ proptest! {
     }
 
     #[test]
-    fn lesson_16s_shaders((shot, plan) in shot()) {
+    fn lesson_16s_shaders((shot, way) in shot()) {
         let mut rng = Rng::with_seed(shot.seed);
         let shape = scene::sphere(shot.bands, 2 * shot.bands);
         let colors: Vec<Color> = shape.vertices.iter().map(|_| Color::random(rng.u64(..))).collect();
@@ -262,28 +257,28 @@ proptest! {
             eye: shot.eye,
             lamps: &lamps,
         };
-        fn check<B, L>(shot: &Shot, plan: Plan, name: &str, mesh: &scene::Mesh, base: B, lighting: L)
+        fn check<B, L>(shot: &Shot, way: Way, name: &str, mesh: &scene::Mesh, base: B, lighting: L)
         where
             B: Base<Constant: Send + Sync + 'static, Varying: Send + Sync> + Sync,
             L: SceneLighting<Varying: Send + Sync> + Sync,
         {
             let look = Look { mesh, to_clip: shot.to_clip(), base, lighting };
-            shot.check_each(plan, name, true, look, mesh.assembled());
+            shot.check_each(way, name, true, look, mesh.assembled());
         }
         let color = Color { a: 100, ..Color::RED };
-        check(&shot, plan, "colour, unlit", &mesh, color, ());
-        check(&shot, plan, "colour, at vertices", &mesh, color, AtVertices(placed));
-        check(&shot, plan, "colour, at pixels", &mesh, color, AtPixels(placed));
-        check(&shot, plan, "colours, unlit", &mesh, &colors[..], ());
-        check(&shot, plan, "colours, at vertices", &mesh, &colors[..], AtVertices(placed));
-        check(&shot, plan, "colours, at pixels", &mesh, &colors[..], AtPixels(placed));
+        check(&shot, way, "colour, unlit", &mesh, color, ());
+        check(&shot, way, "colour, at vertices", &mesh, color, AtVertices(placed));
+        check(&shot, way, "colour, at pixels", &mesh, color, AtPixels(placed));
+        check(&shot, way, "colours, unlit", &mesh, &colors[..], ());
+        check(&shot, way, "colours, at vertices", &mesh, &colors[..], AtVertices(placed));
+        check(&shot, way, "colours, at pixels", &mesh, &colors[..], AtPixels(placed));
         for filter in [Filtering::Nearest, Filtering::Bilinear, Filtering::Trilinear] {
             let size = Vec2::from_array(shot.size.map(f32::from));
             let base = || Textured { texture: &texture, uvs: &uvs, filter, size };
             let name = |lit: &str| format!("{filter:?}, {lit}");
-            check(&shot, plan, &name("unlit"), &mesh, base(), ());
-            check(&shot, plan, &name("at vertices"), &mesh, base(), AtVertices(placed));
-            check(&shot, plan, &name("at pixels"), &mesh, base(), AtPixels(placed));
+            check(&shot, way, &name("unlit"), &mesh, base(), ());
+            check(&shot, way, &name("at vertices"), &mesh, base(), AtVertices(placed));
+            check(&shot, way, &name("at pixels"), &mesh, base(), AtPixels(placed));
         }
     }
 }

@@ -39,7 +39,7 @@ fn check(across: usize, up: usize, ways: &[Way]) {
 #[test]
 fn meshes_of_two_triangles_to_two_hundred_thousand() {
     let plans = METHODS.iter().filter_map(|method| method.run.plan);
-    let ways: Vec<Way> = [Way::Blocks].into_iter().chain(plans.map(Way::Tiled)).collect();
+    let ways: Vec<Way> = [Way::Blocks].into_iter().chain(plans.map(Way::tiled)).collect();
     for side in [1, 3, 10, 32, 100, 316] {
         check(side, side, &ways);
     }
@@ -48,5 +48,5 @@ fn meshes_of_two_triangles_to_two_hundred_thousand() {
 #[test]
 fn a_million_triangles() {
     let plan = Plan { tile: Some(64), hierarchical: true, deferred: true, threads: 2 };
-    check(1000, 500, &[Way::Tiled(plan)]);
+    check(1000, 500, &[Way::tiled(plan)]);
 }

@@ -46,7 +46,7 @@ fn nearly_the_same_planes_are_told_apart_pixel_by_pixel() {
         mixed += usize::from((1..256).contains(&same));
         for deferred in [false, true] {
             let plan = Plan { tile: Some(8), hierarchical: true, deferred, threads: 1 };
-            let (got, _) = drawn(Way::Tiled(plan), SIZE, Color::BLACK, draw);
+            let (got, _) = drawn(Way::tiled(plan), SIZE, Color::BLACK, draw);
             assert_eq!(differing(&expected, &got), None, "{plan:?}: {triangles:?}");
         }
     }

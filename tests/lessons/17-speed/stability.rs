@@ -352,7 +352,7 @@ const BACKGROUND: Color = Color { r: 20, g: 30, b: 40, a: 50 };
 fn each_method_draws_lesson_13s_pixels() {
     every_method(LESSON.name, METHODS, CELLS, |method, cell| {
         let way = match method.run.plan {
-            Some(plan) => Way::Tiled((cell.plan)(threads(plan, 2))),
+            Some(plan) => Way::tiled((cell.plan)(threads(plan, 2))),
             None if method.name == "blocks" => Way::Blocks,
             None => Way::Simple,
         };
@@ -364,7 +364,7 @@ fn each_method_draws_lesson_13s_pixels() {
 fn wrong(cell: &Cell, way: Way) -> Vec<String> {
     let size = cell.size;
     let mut frame = match way {
-        Way::Tiled(plan) => Some(frame(size, plan)),
+        Way::Tiled(plan, level) => Some(frame(size, plan).at_level(level)),
         Way::Simple | Way::Blocks => None,
     };
     let picture = |soups: Vec<Soup>| {
