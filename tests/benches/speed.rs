@@ -11,32 +11,9 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use common::Image;
-use filtering::Surface;
-use filtering::filter::{Filter, Nearest, Trilinear};
+use speed_scenes::methods::{Draw, FILTERS, METHODS, Row};
 use speed_scenes::rounds::{Limits, Times, rounds};
-use speed_scenes::{Recipe, SCENES, Scene};
-
-/// Draws on so many threads.
-type Draw = fn(&Surface, usize, &mut Image);
-
-/// A method with each of the filters.
-struct Row {
-    name: &'static str,
-    draw: [Draw; FILTERS.len()],
-    threads: &'static [usize],
-}
-
-const FILTERS: [&str; 2] = ["nearest", "trilinear"];
-
-/// All methods. The others are compared with the first.
-const METHODS: &[Row] =
-    &[Row { name: "simple", draw: [simple::<Nearest>, simple::<Trilinear>], threads: &[1] }];
-
-/// Lesson 13's.
-fn simple<F: Filter + Default>(surface: &Surface, _: usize, image: &mut Image) {
-    black_box(filtering::draw(std::slice::from_ref(surface), F::default(), Scene::CULL, image).counts);
-}
+use speed_scenes::{Recipe, SCENES};
 
 #[derive(Parser)]
 struct Flags {

@@ -1,6 +1,7 @@
-//! What lesson 17 is measured by: [`SCENES`], each the same in every run, and [`rounds`], which times things in turn.
+//! What lesson 17 is measured by: [`SCENES`], each the same in every run, the [`methods`] that draw them, and [`rounds`],
+//! which times things in turn.
 //!
-//! Tests, benchmarks, charts and the comparison with other renderers draw the same ones.
+//! Tests, benchmarks, charts and the comparison with other renderers share them.
 //!
 //! | module | scenes |
 //! |---|---|
@@ -11,6 +12,7 @@
 
 pub mod grid;
 pub mod layers;
+pub mod methods;
 pub mod models;
 pub mod rounds;
 pub mod soup;
