@@ -42,5 +42,5 @@ pub(crate) fn write(scene: &Scene, path: &Path) -> anyhow::Result<()> {
         let color = texture.texel(i, j);
         file.write_all(&[color.r, color.g, color.b, color.a])?;
     }
-    Ok(file.into_inner()?.sync_data()?)
+    Ok(file.flush()?)
 }
