@@ -1,6 +1,5 @@
 //! All renderers on all scenes, in turn.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
@@ -8,7 +7,7 @@ use std::time::Duration;
 use anyhow::{Context, ensure};
 use clap::builder::PossibleValuesParser;
 use common::{Format, Image};
-use speed_scenes::methods::METHODS;
+use speed_scenes::methods::{Way, ways};
 use speed_scenes::rounds::{Limits, rounds};
 use speed_scenes::{Recipe, SCENES};
 
@@ -25,7 +24,7 @@ pub(crate) struct Flags {
     scene: Vec<String>,
 
     /// A method of ours, by its name; may be given more than once. The first is always there
-    #[arg(long, value_parser = PossibleValuesParser::from(METHODS.iter().map(|row| row.name).collect::<Vec<_>>()))]
+    #[arg(long, value_parser = PossibleValuesParser::from(ways().iter().map(|way| way.name).collect::<Vec<_>>()))]
     method: Vec<String>,
 
     /// How many rounds a scene
@@ -141,21 +140,23 @@ fn start(recipe: &Recipe, flags: &Flags, folder: &Path) -> anyhow::Result<(Vec<R
     let processors = |cores: usize| if cores == 1 { first.clone() } else { format!("{first},{second}") };
     let (mut painters, mut contenders) = (Vec::new(), Vec::new());
 
+    let mut methods = ways();
+    let first = methods[0].name;
+    methods.retain(|way| way.name == first || wanted(&flags.method, way.name));
     let this = std::env::current_exe()?;
     let builds = [(this.as_path(), ""), (&flags.best, " (native)")];
     for (program, note) in builds.into_iter().take(1 + usize::from(flags.native)) {
-        let methods =
-            || METHODS.iter().enumerate().filter(|(n, row)| *n == 0 || wanted(&flags.method, row.name));
-        let threads: BTreeSet<usize> =
-            methods().flat_map(|(_, row)| row.threads).copied().filter(|threads| *threads <= 2).collect();
-        for threads in threads {
-            let mut command = Command::new(program);
-            command.args(["paint", "ours", recipe.name, &threads.to_string()]);
-            for (_, row) in methods().filter(|(_, row)| row.threads.contains(&threads)) {
-                let (renderer, painter) = (format!("{}{note}", row.name), painters.len());
-                contenders.push(Contender { renderer, cores: threads, method: row.name, painter });
+        for cores in [1, 2] {
+            let painter = painters.len();
+            for Way { name: method, .. } in methods.iter().filter(|way| way.threads.contains(&cores)) {
+                let renderer = format!("{method}{note}");
+                contenders.push(Contender { renderer, cores, method, painter });
             }
-            painters.push(Running::start(&processors(threads), &command)?);
+            if contenders.last().is_some_and(|last| last.painter == painter) {
+                let mut command = Command::new(program);
+                command.args(["paint", "ours", recipe.name, &cores.to_string()]);
+                painters.push(Running::start(&processors(cores), &command)?);
+            }
         }
     }
 

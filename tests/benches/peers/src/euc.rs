@@ -73,12 +73,13 @@ impl Euc {
 }
 
 impl Painter for Euc {
-    fn draw(&mut self, _: &str) -> anyhow::Result<()> {
+    fn ready(&mut self, _: &str) {}
+
+    fn draw(&mut self, _: &str) {
         self.colors.clear([0, 0, 0, 255]);
         self.depths.clear(1.0);
         let (colors, depths) = (&mut self.colors, Some(&mut self.depths));
         self.uniforms.draw::<Triangles<'_, _, BackfaceCullingEnabled>, _>(&self.indices, colors, depths);
-        Ok(())
     }
 
     fn picture(&self) -> Vec<u8> {
