@@ -75,8 +75,9 @@ static void open_context(void) {
 int main(int count, char **arguments) {
     FILE *file = count == 2 ? fopen(arguments[1], "rb") : NULL;
     if (!file) fail("give the file of a scene");
-    // Width, height, vertices, indices, the texture's width and height; the matrix by columns and the light.
-    uint32_t *sizes = take(file, 6 * 4);
+    // Width, height, vertices, indices, the texture's width and height and whether it is repeated; the matrix by columns
+    // and the light.
+    uint32_t *sizes = take(file, 7 * 4);
     float *uniforms = take(file, 19 * 4);
     float *vertices = take(file, (size_t)sizes[2] * 32);
     uint32_t *indices = take(file, (size_t)sizes[3] * 4);
@@ -109,6 +110,10 @@ int main(int count, char **arguments) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, (int)sizes[4], (int)sizes[5], 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+
+    GLint wrap = sizes[6] ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
 
     glGenFramebuffers(1, &target);
     glBindFramebuffer(GL_FRAMEBUFFER, target);

@@ -6,10 +6,10 @@ use std::time::Duration;
 
 use anyhow::{Context, ensure};
 use clap::builder::PossibleValuesParser;
-use common::{Format, Image};
+use common::Image;
 use speed_scenes::methods::{Way, ways};
 use speed_scenes::rounds::{Limits, rounds};
-use speed_scenes::{Recipe, SCENES};
+use speed_scenes::{Recipe, SCENES, Scene};
 
 use crate::child::Running;
 use crate::facts::Facts;
@@ -86,7 +86,7 @@ pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
     let mut cells = Vec::new();
     for recipe in SCENES.iter().filter(|recipe| wanted(&flags.scene, recipe.name)) {
         eprintln!("{}", recipe.title);
-        cells.extend(scene(recipe, flags, limits, &mut facts)?);
+        cells.extend(compare(recipe, flags, limits, &mut facts)?);
     }
     facts.load_after();
     print(&cells, &facts);
@@ -99,20 +99,20 @@ fn wanted(flag: &[String], name: &str) -> bool {
 }
 
 /// Times all renderers on one scene.
-fn scene(
+fn compare(
     recipe: &'static Recipe,
     flags: &Flags,
     limits: Limits,
     facts: &mut Facts,
 ) -> anyhow::Result<Vec<Cell>> {
     let folder = tempfile::tempdir()?;
-    let (mut painters, contenders) = start(recipe, flags, folder.path())?;
+    let scene = (recipe.make)();
+    let (mut painters, contenders) = start(&scene, recipe.name, flags, folder.path())?;
     facts.add_renderers(painters.iter().map(|painter| painter.says.as_str()));
-    let size = (recipe.make)().size;
     let mut pictures = Vec::new();
     for Contender { renderer, cores, method, painter } in &contenders {
         let bytes = painters[*painter].picture(method, &folder.path().join("picture"))?;
-        let mut image = Image::new(size[0], size[1], Format::Rgb);
+        let mut image = scene.canvas();
         ensure!(bytes.len() == image.buffer().len(), "{renderer}'s picture has another size");
         image.buffer_mut().copy_from_slice(&bytes);
         if let Some(folder) = &flags.pictures {
@@ -135,7 +135,12 @@ fn scene(
 }
 
 /// Starts what draws a scene.
-fn start(recipe: &Recipe, flags: &Flags, folder: &Path) -> anyhow::Result<(Vec<Running>, Vec<Contender>)> {
+fn start(
+    scene: &Scene,
+    name: &str,
+    flags: &Flags,
+    folder: &Path,
+) -> anyhow::Result<(Vec<Running>, Vec<Contender>)> {
     let (first, second) = &flags.processors;
     let processors = |cores: usize| if cores == 1 { first.clone() } else { format!("{first},{second}") };
     let (mut painters, mut contenders) = (Vec::new(), Vec::new());
@@ -154,7 +159,7 @@ fn start(recipe: &Recipe, flags: &Flags, folder: &Path) -> anyhow::Result<(Vec<R
             }
             if contenders.last().is_some_and(|last| last.painter == painter) {
                 let mut command = Command::new(program);
-                command.args(["paint", "ours", recipe.name, &cores.to_string()]);
+                command.args(["paint", "ours", name, &cores.to_string()]);
                 painters.push(Running::start(&processors(cores), &command)?);
             }
         }
@@ -167,10 +172,10 @@ fn start(recipe: &Recipe, flags: &Flags, folder: &Path) -> anyhow::Result<(Vec<R
         Ok(())
     };
     let mut command = Command::new(&flags.best);
-    peer("euc", 1, command.args(["paint", "euc", recipe.name, "1"]))?;
+    peer("euc", 1, command.args(["paint", "euc", name, "1"]))?;
     if let Some(llvmpipe) = &flags.llvmpipe {
         let path = folder.join("scene");
-        file::write(&(recipe.make)(), &path)?;
+        file::write(scene, &path)?;
         for cores in [1, 2] {
             let mut command = Command::new(llvmpipe);
             command.arg(&path).env("LP_NUM_THREADS", cores.to_string());
