@@ -45,6 +45,10 @@ struct Shot {
     cull: Cull,
     /// Latitudes of the sphere.
     bands: usize,
+    /// How often it has its texture.
+    repeats: f32,
+    /// The light of lessons 9 and 13, which need not be 1 long.
+    light: Vec3,
     seed: u64,
 }
 
@@ -62,7 +66,7 @@ impl Shot {
         for vertex in &shape.vertices {
             let moved = vertex.position * (1.0 + 0.3 * rng.f32());
             let normal = vertex.normal + 0.4 * Vec3::new(rng.f32(), rng.f32(), rng.f32());
-            let uv = 3.0 * vertex.uv - 1.0;
+            let uv = self.repeats * (vertex.uv - 0.3);
             text += &format!("v {} {} {}\n", moved.x, moved.y, moved.z);
             text += &format!("vn {} {} {}\nvt {} {}\n", normal.x, normal.y, normal.z, uv.x, uv.y);
         }
@@ -147,9 +151,12 @@ fn shot() -> impl Strategy<Value = (Shot, Way)> {
     let size = select(vec![[80, 60], [97, 33], [64, 64], [9, 90]]);
     let cull = select(vec![Cull::None, Cull::Back, Cull::Front]);
     let camera = (near.clone(), near, 20.0..120.0_f32);
-    (size, camera, cull, 3..9_usize, any::<u64>(), tiled()).prop_map(
-        |(size, (eye, center, fov), cull, bands, seed, way)| {
-            (Shot { size, eye, center: eye + 1e-3 + (center - eye), fov, cull, bands, seed }, way)
+    let repeats = select(vec![1.0, 3.0, 3.0, 3.0, 1e5, 1e7, 1e10, 1e30, 3e38]);
+    let bright = select(vec![1.0, 1.0, 1.0, 20.0, 1e30, f32::MAX, f32::INFINITY, f32::NAN]);
+    let look = (repeats, bright.prop_map(|bright| Vec3::new(0.6, 0.0, 0.8) * bright), cull);
+    (size, camera, look, 3..9_usize, any::<u64>(), tiled()).prop_map(
+        |(size, (eye, center, fov), (repeats, light, cull), bands, seed, way)| {
+            (Shot { size, eye, center, fov, cull, bands, repeats, light, seed }, way)
         },
     )
 }
@@ -162,7 +169,7 @@ proptest! {
         let mut rng = Rng::with_seed(shot.seed);
         let texture = noise(&mut rng, 13, 8);
         let loaded = Loaded::new(shot.model(&mut rng), texture, textures::Wrap::Repeat);
-        let uniforms = loaded.uniforms(Vec3::new(0.6, 0.0, 0.8), shot.to_clip());
+        let uniforms = loaded.uniforms(shot.light, shot.to_clip());
         let mesh = clipping::mesh::indexed(&loaded.model, &loaded.normals, BOTH);
         assert_eq!(SHADERS.len(), 5, "a shader is missing here");
         fn check<S, L>(shot: &Shot, way: Way, name: &str, uniforms: Uniforms, mesh: &Mesh, keeps_all: bool)
@@ -217,7 +224,7 @@ proptest! {
         let texture = noise(&mut rng, width, height);
         let loaded = Loaded::new(shot.model(&mut rng), texture, textures::Wrap::Repeat);
         let model = Filterable::new(loaded, MIPMAPS[mipmap].run, wrap.run);
-        let surface = model.surface(Vec3::new(0.6, 0.0, 0.8), shot.to_clip());
+        let surface = model.surface(shot.light, shot.to_clip());
         let size = Vec2::from_array(shot.size.map(f32::from));
         macro_rules! check {
             ($name:literal, $filter:expr) => {
