@@ -5,7 +5,7 @@ use common::Color;
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::RngAlgorithm;
-use speed::frame::Plan;
+use speed::Plan;
 
 use crate::canvas::{Canvas, Way, again, differing, drawn, frame, levels};
 use crate::soup::{Corner, Drops, Soup};

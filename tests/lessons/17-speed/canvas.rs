@@ -7,7 +7,8 @@ use fearless_simd::{Level, Simd};
 use perspective::depth::ZF32;
 use perspective::{Framebuffer, draw_triangle};
 use speed::blocks::Blocks;
-use speed::frame::{Frame, Plan, Shared};
+use speed::Plan;
+use speed::frame::{Frame, Shared};
 
 /// Who draws.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use clipping::Cull;
 use common::{Color, Format, Image};
-use speed::frame::Plan;
+use speed::Plan;
 
 use crate::canvas::frame;
 use crate::soup::{Corner, Soup};

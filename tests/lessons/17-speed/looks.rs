@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use clipping::assembly::Topology;
+use clipping::mesh::Vertex;
 use clipping::{Counts, Cull, Mesh};
 use common::{Attributes, Color, Format, Image, Mat3, Mat4, Model, Vec2, Vec3, Vec4};
 use fastrand::Rng;
@@ -23,12 +25,12 @@ use perspective::{perspective, view};
 use proptest::prelude::*;
 use proptest::sample::select;
 use scene::lamps::Lamps;
-use scene::shader::{AtPixels, AtVertices, Base, Lighting as SceneLighting, Look, Placed, Textured};
+use scene::shader::{AtPixels, AtVertices, Look, Placed, Textured};
 use scene::{Filtering, Paint};
-use shaders::lighting::{Flat, Gouraud, Lighting, Quantized};
+use shaders::lighting::{Flat, Gouraud, Quantized};
 use shaders::shader::{Fragment, Shader, Varying};
-use shaders::source::{Source, Texture, White};
-use shaders::{Lit, SHADERS, Uniforms};
+use shaders::source::{Texture, White};
+use shaders::{Lit, SHADERS};
 use speed::eight::EachPixel;
 use speed::frame::Shared;
 
@@ -88,16 +90,18 @@ impl Shot {
         }
     }
 
-    /// The same of a shader that is asked pixel by pixel, and of it with holes.
-    fn check_each<S>(&self, way: Way, name: &str, keeps_all: bool, shader: S, mesh: &Mesh)
-    where
-        S: Shader<Output = Color> + Sync,
-        S::Constant: Send + Sync + 'static,
-        S::Varying: Send + Sync + 'static,
-    {
-        let [whole, holes] = [false, true].map(|holes| AnyShader { shader: &shader, holes });
-        self.check(way, name, &EachPixel { shader: whole, keeps_all }, mesh);
-        self.check(way, &format!("{name} with holes"), &EachPixel { shader: holes, keeps_all: false }, mesh);
+    /// The same of a shader of so many triangles that is asked pixel by pixel, and of it with holes.
+    fn check_each(&self, way: Way, name: &str, keeps_all: bool, shader: &impl AnyShader, faces: usize) {
+        let vertices = (0..faces as u32).flat_map(|face| {
+            (0..3).map(move |corner| Vertex { position: 3 * face + corner, face, corner })
+        });
+        let (indices, faces) = ((0..3 * faces as u32).collect(), (0..faces as u32).collect());
+        let mesh = Mesh { vertices: vertices.collect(), topology: Topology::List, indices, faces };
+        for holes in [false, true] {
+            let shader = Erased { shader, holes };
+            let name = if holes { &format!("{name} with holes") } else { name };
+            self.check(way, name, &EachPixel { shader, keeps_all: keeps_all && !holes }, &mesh);
+        }
     }
 }
 
@@ -115,34 +119,59 @@ fn noise(rng: &mut Rng, width: u16, height: u16) -> Image {
     image
 }
 
-/// A shader that computes with these types, so that the loops are compiled once for all of them. It may be given holes, told by the
-/// place in the picture.
-struct AnyShader<'a, C, V> {
-    shader: &'a (dyn Shader<Constant = C, Varying = V, Output = Color> + Sync),
+/// A shader without its types, so that the loops are compiled once for all: what is interpolated are the weights of the triangle's
+/// corners, of which it makes what it needs at each pixel.
+trait AnyShader: Sync {
+    fn position(&self, face: usize, corner: usize) -> Vec4;
+    fn is_drawn(&self, face: usize) -> bool;
+    fn fragment(&self, face: usize, fragment: Fragment<Vec3>) -> Option<Color>;
+}
+
+/// A shader, and the positions of its triangles.
+struct With<'a, S>(S, &'a [[u32; 3]]);
+
+impl<S: Shader<Output = Color> + Sync> AnyShader for With<'_, S> {
+    fn position(&self, face: usize, corner: usize) -> Vec4 {
+        self.0.position(self.1[face][corner] as usize)
+    }
+
+    fn is_drawn(&self, face: usize) -> bool {
+        self.0.triangle(face).is_some()
+    }
+
+    fn fragment(&self, face: usize, fragment: Fragment<Vec3>) -> Option<Color> {
+        let Fragment { x, y, depth, varying: weights } = fragment;
+        let varying = S::Varying::interpolate([0, 1, 2].map(|corner| self.0.corner(face, corner)), weights);
+        self.0.fragment(self.0.triangle(face)?, Fragment { x, y, depth, varying })
+    }
+}
+
+/// It may be given holes, told by the place in the picture.
+struct Erased<'a> {
+    shader: &'a dyn AnyShader,
     holes: bool,
 }
 
-impl<C: Copy, V: Varying> Shader for AnyShader<'_, C, V> {
-    type Constant = C;
-    type Varying = V;
+impl Shader for Erased<'_> {
+    type Constant = usize;
+    type Varying = Vec3;
     type Output = Color;
 
     fn position(&self, vertex: usize) -> Vec4 {
-        self.shader.position(vertex)
+        self.shader.position(vertex / 3, vertex % 3)
     }
 
-    fn triangle(&self, face: usize) -> Option<C> {
-        self.shader.triangle(face)
+    fn triangle(&self, face: usize) -> Option<usize> {
+        self.shader.is_drawn(face).then_some(face)
     }
 
-    fn corner(&self, face: usize, corner: usize) -> V {
-        self.shader.corner(face, corner)
+    fn corner(&self, _: usize, corner: usize) -> Vec3 {
+        Vec3::AXES[corner]
     }
 
-    fn fragment(&self, constant: C, fragment: Fragment<V>) -> Option<Color> {
-        let Fragment { x, y, .. } = fragment;
-        let dropped = self.holes && (x / 3 + y / 2) % 2 == 0;
-        if dropped { None } else { self.shader.fragment(constant, fragment) }
+    fn fragment(&self, face: usize, fragment: Fragment<Vec3>) -> Option<Color> {
+        let dropped = self.holes && (fragment.x / 3 + fragment.y / 2) % 2 == 0;
+        if dropped { None } else { self.shader.fragment(face, fragment) }
     }
 }
 
@@ -170,22 +199,24 @@ proptest! {
         let texture = noise(&mut rng, 13, 8);
         let loaded = Loaded::new(shot.model(&mut rng), texture, textures::Wrap::Repeat);
         let uniforms = loaded.uniforms(shot.light, shot.to_clip());
-        let mesh = clipping::mesh::indexed(&loaded.model, &loaded.normals, BOTH);
         assert_eq!(SHADERS.len(), 5, "a shader is missing here");
-        fn check<S, L>(shot: &Shot, way: Way, name: &str, uniforms: Uniforms, mesh: &Mesh, keeps_all: bool)
-        where
-            S: Source<Varying: Send + Sync + 'static> + Default + Sync,
-            L: Lighting<Constant: Send + Sync + 'static, Varying: Send + Sync + 'static> + Default + Sync,
-        {
-            shot.check_each(way, name, keeps_all, Lit::new(uniforms, S::default(), L::default()), mesh);
+        macro_rules! check {
+            ($name:literal, $source:expr, $lighting:expr, $keeps_all:expr) => {
+                let lit = With(Lit::new(uniforms, $source, $lighting), loaded.model.triangles());
+                shot.check_each(way, $name, $keeps_all, &lit, loaded.model.triangles().len());
+            };
         }
-        check::<White, Flat>(&shot, way, "flat", uniforms, &mesh, true);
-        check::<Texture, Flat>(&shot, way, "flat-texture", uniforms, &mesh, true);
-        check::<White, Gouraud>(&shot, way, "gouraud", uniforms, &mesh, false);
-        check::<Texture, Gouraud>(&shot, way, "gouraud-texture", uniforms, &mesh, false);
-        check::<White, Quantized>(&shot, way, "quantized", uniforms, &mesh, false);
+        check!("flat", White, Flat, true);
+        check!("flat-texture", Texture, Flat, true);
+        check!("gouraud", White, Gouraud, false);
+        check!("gouraud-texture", Texture, Gouraud, false);
+        check!("quantized", White, Quantized, false);
         // And lesson 10's.
-        check::<Texture, Clamped>(&shot, way, "clamped", uniforms, &mesh, true);
+        check!("clamped", Texture, Clamped, true);
+        // One of them with its own types.
+        let mesh = clipping::mesh::indexed(&loaded.model, &loaded.normals, BOTH);
+        let shader = Lit::new(uniforms, Texture, Gouraud);
+        shot.check(way, "gouraud-texture as it is", &EachPixel { shader, keeps_all: false }, &mesh);
     }
 
     #[test]
@@ -193,28 +224,34 @@ proptest! {
         let mut rng = Rng::with_seed(shot.seed);
         let [texture, normals, shine] = [(); 3].map(|()| noise(&mut rng, 9, 14));
         let loaded = Loaded::new(shot.model(&mut rng), texture, textures::Wrap::Repeat);
-        let mesh = clipping::mesh::indexed(&loaded.model, &loaded.normals, BOTH);
-        let scene = Scene {
+        let scene = &Scene {
             uniforms: loaded.uniforms(Vec3::ZERO, shot.to_clip()),
             to_world: Mat4::IDENTITY,
             normals_to_world: Mat3::IDENTITY,
             eye: shot.eye,
             light: PointLight::default(),
         };
-        let scene = &scene;
-        let phong = PerPixel::<PointLit<Mirrored>, _>::new(scene, Smooth);
-        let object = PerPixel::<PointLit<Halfway>, _>::new(scene, ObjectNormals(&normals));
-        let tangent = PerPixel::<PointLit<Halfway>, _>::new(scene, TangentNormals(&normals));
+        macro_rules! check {
+            ($name:literal, $shader:expr) => {
+                let shader = With($shader, loaded.model.triangles());
+                shot.check_each(way, $name, true, &shader, loaded.model.triangles().len());
+            };
+        }
+        type Blinn<'a, S> = PerPixel<'a, PointLit<Halfway>, S>;
+        check!("flat", PerTriangle::<PointLit<Mirrored>>::new(scene));
+        check!("phong-vertex", PerCorner::<PointLit<Mirrored>>::new(scene));
+        check!("phong", PerPixel::<PointLit<Mirrored>, _>::new(scene, Smooth));
+        check!("blinn-phong", Blinn::new(scene, Smooth));
+        check!("object-normals", Blinn::new(scene, ObjectNormals(&normals)));
+        check!("tangent-normals", Blinn::new(scene, TangentNormals(&normals)));
         let surface = TangentNormals(&normals);
-        let shining = PerPixel::<PointLit<Halfway>, _>::new(scene, Shining { surface, map: &shine });
-        shot.check_each(way, "flat", true, PerTriangle::<PointLit<Mirrored>>::new(scene), &mesh);
-        shot.check_each(way, "phong-vertex", true, PerCorner::<PointLit<Mirrored>>::new(scene), &mesh);
-        shot.check_each(way, "phong", true, phong, &mesh);
-        shot.check_each(way, "object-normals", true, object, &mesh);
-        shot.check_each(way, "tangent-normals", true, tangent, &mesh);
-        shot.check_each(way, "specular-map", false, shining, &mesh);
-        shot.check_each(way, "outline", true, Swollen::new(scene, 0.1, Color::RED), &mesh);
-        shot.check_each(way, "toon", true, PerPixel::<Toon, _>::new(scene, Smooth), &mesh);
+        check!("specular-map", Blinn::new(scene, Shining { surface, map: &shine }));
+        check!("outline", Swollen::new(scene, 0.1, Color::RED));
+        check!("toon", PerPixel::<Toon, _>::new(scene, Smooth));
+        // One of them with its own types.
+        let mesh = clipping::mesh::indexed(&loaded.model, &loaded.normals, BOTH);
+        let shader = Blinn::new(scene, TangentNormals(&normals));
+        shot.check(way, "tangent-normals as it is", &EachPixel { shader, keeps_all: true }, &mesh);
     }
 
     #[test]
@@ -236,7 +273,9 @@ proptest! {
                     size,
                 };
                 shot.check(way, $name, &shader(), surface.mesh);
-                shot.check_each(way, concat!($name, ", pixel by pixel"), true, shader(), surface.mesh);
+                let triangles = surface.uniforms.model.triangles();
+                let each = With(shader(), triangles);
+                shot.check_each(way, concat!($name, ", pixel by pixel"), true, &each, triangles.len());
             };
         }
         check!("nearest", Nearest);
@@ -264,28 +303,31 @@ proptest! {
             eye: shot.eye,
             lamps: &lamps,
         };
-        fn check<B, L>(shot: &Shot, way: Way, name: &str, mesh: &scene::Mesh, base: B, lighting: L)
-        where
-            B: Base<Constant: Send + Sync + 'static, Varying: Send + Sync> + Sync,
-            L: SceneLighting<Varying: Send + Sync> + Sync,
-        {
-            let look = Look { mesh, to_clip: shot.to_clip(), base, lighting };
-            shot.check_each(way, name, true, look, mesh.assembled());
+        let to_clip = shot.to_clip();
+        macro_rules! check {
+            ($name:expr, $base:expr, $lighting:expr) => {
+                let look = Look { mesh: &mesh, to_clip, base: $base, lighting: $lighting };
+                shot.check_each(way, $name, true, &With(look, &shape.triangles), shape.triangles.len());
+            };
         }
         let color = Color { a: 100, ..Color::RED };
-        check(&shot, way, "colour, unlit", &mesh, color, ());
-        check(&shot, way, "colour, at vertices", &mesh, color, AtVertices(placed));
-        check(&shot, way, "colour, at pixels", &mesh, color, AtPixels(placed));
-        check(&shot, way, "colours, unlit", &mesh, &colors[..], ());
-        check(&shot, way, "colours, at vertices", &mesh, &colors[..], AtVertices(placed));
-        check(&shot, way, "colours, at pixels", &mesh, &colors[..], AtPixels(placed));
+        check!("colour, unlit", color, ());
+        check!("colour, at vertices", color, AtVertices(placed));
+        check!("colour, at pixels", color, AtPixels(placed));
+        check!("colours, unlit", &colors[..], ());
+        check!("colours, at vertices", &colors[..], AtVertices(placed));
+        check!("colours, at pixels", &colors[..], AtPixels(placed));
         for filter in [Filtering::Nearest, Filtering::Bilinear, Filtering::Trilinear] {
             let size = Vec2::from_array(shot.size.map(f32::from));
             let base = || Textured { texture: &texture, uvs: &uvs, filter, size };
             let name = |lit: &str| format!("{filter:?}, {lit}");
-            check(&shot, way, &name("unlit"), &mesh, base(), ());
-            check(&shot, way, &name("at vertices"), &mesh, base(), AtVertices(placed));
-            check(&shot, way, &name("at pixels"), &mesh, base(), AtPixels(placed));
+            check!(&name("unlit"), base(), ());
+            check!(&name("at vertices"), base(), AtVertices(placed));
+            check!(&name("at pixels"), base(), AtPixels(placed));
+            // One of them with its own types.
+            let shader = Look { mesh: &mesh, to_clip, base: base(), lighting: AtPixels(placed) };
+            let shader = EachPixel { shader, keeps_all: true };
+            shot.check(way, &name("at pixels as it is"), &shader, mesh.assembled());
         }
     }
 }

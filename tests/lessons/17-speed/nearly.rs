@@ -3,7 +3,7 @@
 use clipping::{Counts, Cull};
 use common::Color;
 use fastrand::Rng;
-use speed::frame::Plan;
+use speed::Plan;
 
 use crate::canvas::{Canvas, Way, differing, drawn};
 use crate::soup::{Corner, Soup};

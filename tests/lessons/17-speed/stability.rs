@@ -3,8 +3,7 @@
 use clipping::{Counts, Cull};
 use common::{Color, Image, Mat4, Vec3};
 use perspective::{perspective, view};
-use speed::frame::Plan;
-use speed::{LESSON, METHODS};
+use speed::{LESSON, METHODS, Plan};
 use verify::stability::Must::Exact;
 use verify::stability::{Case, Row, every_method};
 
