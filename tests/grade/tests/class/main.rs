@@ -192,7 +192,7 @@ fn the_honest_get_what_they_deserve() {
 /// What each hostile submission came to, in words that its result must have.
 const ENDS: [(&str, &str); 29] = [
     ("abort", "SIGABRT"),
-    ("answers_file", "SIGXFSZ"),
+    ("answers_file", "the answers are larger than 64 MiB"),
     ("compile_error", "compile_error"),
     ("deletes", "the wall held"),
     ("drip", "ran out of time"),
@@ -227,11 +227,11 @@ fn the_hostile_earn_nothing_and_end_as_they_should() {
     let Some(works) = CLASS.works() else { return };
     let handed_in: Vec<String> = hostile(Path::new("")).into_iter().map(|(name, _)| name).collect();
     assert_eq!(handed_in, ENDS.map(|(name, _)| name));
-    for (name, end) in ENDS {
-        let outcome = works[name].to_string();
-        assert!(outcome.contains(end), "{name} is to end with `{end}`: {outcome}");
-        assert_eq!(earned(&works[name]), 0, "{name}: {outcome}");
-    }
+    let other_ends: Vec<String> = (ENDS.iter())
+        .filter(|(name, end)| !works[*name].to_string().contains(end) || earned(&works[*name]) > 0)
+        .map(|(name, end)| format!("{name} is to end with `{end}` and no points: {}", works[*name]))
+        .collect();
+    assert!(other_ends.is_empty(), "{}", other_ends.join("\n"));
 }
 
 #[test]
