@@ -137,13 +137,18 @@ int main(int count, char **arguments) {
     char line[4096];
     while (fgets(line, sizeof line, stdin)) {
         line[strcspn(line, "\n")] = 0;
-        struct timespec start, end;
-        clock_gettime(CLOCK_MONOTONIC, &start);
+        // By the clock on the wall, and the time for which this program had processors.
+        clockid_t clocks[] = {CLOCK_MONOTONIC, CLOCK_PROCESS_CPUTIME_ID};
+        struct timespec start[2], end[2];
+        for (int n = 0; n < 2; n++) clock_gettime(clocks[n], &start[n]);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glDrawElements(GL_TRIANGLES, (GLsizei)sizes[3], GL_UNSIGNED_INT, NULL);
         glFinish();
-        clock_gettime(CLOCK_MONOTONIC, &end);
-        long taken = (end.tv_sec - start.tv_sec) * 1000000000L + end.tv_nsec - start.tv_nsec;
+        long taken[2];
+        for (int n = 0; n < 2; n++) {
+            clock_gettime(clocks[n], &end[n]);
+            taken[n] = (end[n].tv_sec - start[n].tv_sec) * 1000000000L + end[n].tv_nsec - start[n].tv_nsec;
+        }
         if (glGetError() != GL_NO_ERROR) fail("OpenGL refuses something");
         if (strncmp(line, "picture ", 8) == 0) {
             uint8_t *rgba = malloc((size_t)width * height * 4);
@@ -155,7 +160,7 @@ int main(int count, char **arguments) {
             if (fclose(out) != 0) fail("the picture cannot be written");
             free(rgba);
         }
-        printf("%ld\n", taken);
+        printf("%ld %ld\n", taken[0], taken[1]);
         fflush(stdout);
     }
     return 0;

@@ -7,6 +7,7 @@ use std::time::Duration;
 use anyhow::{Context, ensure};
 use clap::builder::PossibleValuesParser;
 use common::Image;
+use speed_scenes::clock::Clock;
 use speed_scenes::methods::{Way, ways};
 use speed_scenes::rounds::{Limits, rounds};
 use speed_scenes::{Recipe, SCENES, Scene};
@@ -35,6 +36,10 @@ pub(crate) struct Flags {
     #[arg(long, value_name = "S", default_value_t = 30.0)]
     seconds: f64,
 
+    /// Take for the time that for which a renderer has a processor, on one core alone: on a machine that is not quiet
+    #[arg(long)]
+    processor_time: bool,
+
     /// The two processors to draw on; the first is that on which one core draws
     #[arg(long, value_name = "N,N", default_value = "0,1", value_parser = two_processors)]
     processors: (String, String),
@@ -58,6 +63,17 @@ pub(crate) struct Flags {
     /// llvmpipe.c, compiled
     #[arg(long, value_name = "PROGRAM", value_parser = existing)]
     llvmpipe: Option<PathBuf>,
+}
+
+impl Flags {
+    fn clock(&self) -> Clock {
+        if self.processor_time { Clock::Processor } else { Clock::Wall }
+    }
+
+    /// On how many cores everyone draws.
+    fn cores(&self) -> &'static [usize] {
+        if self.processor_time { &[1] } else { &[1, 2] }
+    }
 }
 
 fn two_processors(text: &str) -> Result<(String, String), String> {
@@ -89,8 +105,8 @@ pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
         cells.extend(compare(recipe, flags, limits, &mut facts)?);
     }
     facts.load_after();
-    print(&cells, &facts);
-    flags.csv.as_deref().map_or(Ok(()), |path| write_csv(&cells, &facts, path))
+    print(&cells, &facts, flags.clock());
+    flags.csv.as_deref().map_or(Ok(()), |path| write_csv(&cells, &facts, flags.clock(), path))
 }
 
 /// Whether a flag asks for a name, or is not given.
@@ -122,7 +138,7 @@ fn compare(
     }
     let times = rounds(contenders.len(), limits, |n| {
         let Contender { method, painter, .. } = contenders[n];
-        painters[painter].draw(method)
+        painters[painter].draw(method, flags.clock())
     })?;
     let cell = |((contender, times), picture): ((Contender, _), &Image)| Cell {
         recipe,
@@ -151,7 +167,7 @@ fn start(
     let this = std::env::current_exe()?;
     let builds = [(this.as_path(), ""), (&flags.best, " (native)")];
     for (program, note) in builds.into_iter().take(1 + usize::from(flags.native)) {
-        for cores in [1, 2] {
+        for &cores in flags.cores() {
             let painter = painters.len();
             for Way { name: method, .. } in methods.iter().filter(|way| way.threads.contains(&cores)) {
                 let renderer = format!("{method}{note}");
@@ -176,7 +192,7 @@ fn start(
     if let Some(llvmpipe) = &flags.llvmpipe {
         let path = folder.join("scene");
         file::write(scene, &path)?;
-        for cores in [1, 2] {
+        for &cores in flags.cores() {
             let mut command = Command::new(llvmpipe);
             command.arg(&path).env("LP_NUM_THREADS", cores.to_string());
             command.envs([("GALLIUM_DRIVER", "llvmpipe"), ("LIBGL_ALWAYS_SOFTWARE", "1")]);
