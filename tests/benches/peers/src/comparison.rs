@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use anyhow::{Context, ensure};
 use clap::builder::PossibleValuesParser;
-use common::Image;
+use common::{Format, Image};
 use speed_scenes::clock::Clock;
 use speed_scenes::methods::{Way, ways};
 use speed_scenes::rounds::{Limits, rounds};
@@ -128,7 +128,8 @@ fn compare(
     let mut pictures = Vec::new();
     for Contender { renderer, cores, method, painter } in &contenders {
         let bytes = painters[*painter].picture(method, &folder.path().join("picture"))?;
-        let mut image = scene.canvas();
+        let [width, height] = scene.size;
+        let mut image = Image::new(width, height, Format::Rgb);
         ensure!(bytes.len() == image.buffer().len(), "{renderer}'s picture has another size");
         image.buffer_mut().copy_from_slice(&bytes);
         if let Some(folder) = &flags.pictures {

@@ -13,7 +13,7 @@
 use std::io::{BufRead, Write};
 
 use anyhow::{Context, bail};
-use common::Image;
+use common::{Color, Image};
 use speed_scenes::Scene;
 use speed_scenes::clock::Clock;
 use speed_scenes::methods::{Drawer, drawer};
@@ -78,11 +78,10 @@ impl Painter for Ours {
 
     fn draw(&mut self, method: &str) {
         let drawer = self.drawers.iter_mut().find(|(name, _)| name == method);
-        self.image.buffer_mut().fill(0);
         drawer.expect("it is ready").1(&self.scene.surface(), &mut self.image);
     }
 
     fn picture(&self) -> Vec<u8> {
-        self.image.buffer().to_vec()
+        self.image.pixels().flat_map(|(_, _, Color { r, g, b, .. })| [r, g, b]).collect()
     }
 }
