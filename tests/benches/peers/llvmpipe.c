@@ -1,8 +1,9 @@
-// Draws a scene by OpenGL ES 3, without a window: by Mesa's llvmpipe, if the environment asks for it.
+// Draws a scene by Mesa's llvmpipe: OpenGL ES 3 without a window.
 //
 //     llvmpipe SCENE
+//     llvmpipe --check
 //
-// SCENE is what src/file.rs writes; lines and answers are those of src/painter.rs. What is timed ends where glFinish says
+// The second one says whether there is an llvmpipe, and draws nothing. SCENE is what src/file.rs writes; lines and answers are those of src/painter.rs. What is timed ends where glFinish says
 // that the picture is in memory; it is not read back.
 
 #include <EGL/egl.h>
@@ -57,6 +58,8 @@ static GLuint compiled(GLenum kind, const char *source) {
 }
 
 static void open_context(void) {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     PFNEGLGETPLATFORMDISPLAYEXTPROC display_of =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
     EGLDisplay display =
@@ -70,9 +73,14 @@ static void open_context(void) {
     eglBindAPI(EGL_OPENGL_ES_API);
     EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("EGL has no context");
+    if (!strstr((const char *)glGetString(GL_RENDERER), "llvmpipe")) fail("another renderer would draw");
 }
 
 int main(int count, char **arguments) {
+    if (count == 2 && strcmp(arguments[1], "--check") == 0) {
+        open_context();
+        return 0;
+    }
     FILE *file = count == 2 ? fopen(arguments[1], "rb") : NULL;
     if (!file) fail("give the file of a scene");
     // Width, height, vertices, indices, the texture's width and height and whether it is repeated; the matrix by columns
@@ -131,7 +139,7 @@ int main(int count, char **arguments) {
     // Rounding to a level of colour is what is asked for, no pattern that hides it.
     glDisable(GL_DITHER);
     glClearColor(0, 0, 0, 1);
-    printf("%s, OpenGL ES by %s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION));
+    printf("%s, %s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION));
     fflush(stdout);
 
     char line[4096];

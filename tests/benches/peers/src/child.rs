@@ -33,7 +33,8 @@ impl Running {
             .context("taskset does not run: apt-get install util-linux")?;
         let lines = child.stdin.take();
         let answers = BufReader::new(child.stdout.take().context("there is a pipe")?);
-        let mut running = Self { says: String::new(), child, lines, answers };
+        let says = Path::new(program.get_program()).display().to_string();
+        let mut running = Self { says, child, lines, answers };
         running.says = running.answer()?;
         Ok(running)
     }

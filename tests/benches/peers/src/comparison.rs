@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use clap::builder::PossibleValuesParser;
 use common::{Format, Image};
 use speed_scenes::clock::Clock;
@@ -14,7 +14,7 @@ use speed_scenes::{Recipe, SCENES, Scene};
 
 use crate::child::Running;
 use crate::facts::Facts;
-use crate::table::{Cell, print, write_csv};
+use crate::table::{Cell, line, print, write_csv};
 use crate::{existing, file};
 
 /// What to compare, and for how long.
@@ -33,8 +33,8 @@ pub(crate) struct Flags {
     rounds: usize,
 
     /// Fewer rounds, but at least 3, where they would take longer than so many seconds a scene
-    #[arg(long, value_name = "S", default_value_t = 30.0)]
-    seconds: f64,
+    #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
+    seconds: Duration,
 
     /// Take for the time that for which a renderer has a processor, on one core alone: on a machine that is not quiet
     #[arg(long)]
@@ -45,7 +45,7 @@ pub(crate) struct Flags {
     processors: (String, String),
 
     /// Also write the figures as CSV, and beside them, as JSON, what they were measured on
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = in_a_folder)]
     csv: Option<PathBuf>,
 
     /// Also write every picture into this folder
@@ -76,6 +76,17 @@ impl Flags {
     }
 }
 
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds.ok_or_else(|| "give a number that is not negative".into())
+}
+
+/// A file that can be written once all is measured.
+fn in_a_folder(text: &str) -> Result<PathBuf, String> {
+    let path = std::path::absolute(text).map_err(|error| error.to_string())?;
+    if path.parent().is_some_and(Path::is_dir) { Ok(path) } else { Err("there is no such folder".into()) }
+}
+
 fn two_processors(text: &str) -> Result<(String, String), String> {
     let numbers = |(a, b): (&str, &str)| a.parse::<u16>().is_ok() && b.parse::<u16>().is_ok() && a != b;
     let two = text.split_once(',').filter(|two| numbers(*two));
@@ -96,13 +107,14 @@ struct Contender {
 /// # Errors
 /// What does not run or cannot be written, in one line.
 pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
-    let time = Duration::try_from_secs_f64(flags.seconds).ok().context("--seconds: give no negative time")?;
-    let limits = Limits { rounds: flags.rounds, time };
+    let limits = Limits { rounds: flags.rounds, time: flags.seconds };
     let mut facts = Facts::find();
     let mut cells = Vec::new();
     for recipe in SCENES.iter().filter(|recipe| wanted(&flags.scene, recipe.name)) {
-        eprintln!("{}", recipe.title);
-        cells.extend(compare(recipe, flags, limits, &mut facts)?);
+        let measured = compare(recipe, flags, limits, &mut facts)?;
+        // Whoever stops the program keeps what there is.
+        eprintln!("{}", line(&measured));
+        cells.extend(measured);
     }
     facts.load_after();
     print(&cells, &facts, flags.clock());
@@ -195,9 +207,7 @@ fn start(
         file::write(scene, &path)?;
         for &cores in flags.cores() {
             let mut command = Command::new(llvmpipe);
-            command.arg(&path).env("LP_NUM_THREADS", cores.to_string());
-            command.envs([("GALLIUM_DRIVER", "llvmpipe"), ("LIBGL_ALWAYS_SOFTWARE", "1")]);
-            peer("llvmpipe", cores, &command)?;
+            peer("llvmpipe", cores, command.arg(&path).env("LP_NUM_THREADS", cores.to_string()))?;
         }
     }
     Ok((painters, contenders))

@@ -20,6 +20,15 @@ pub(crate) struct Cell {
     pub(crate) differing: f64,
 }
 
+/// The times of one scene in a line.
+pub(crate) fn line(cells: &[Cell]) -> String {
+    let title = cells.first().map_or("", |cell| cell.recipe.title);
+    let times = cells.iter().map(|Cell { renderer, cores, times, .. }| {
+        format!("{renderer} {} ({cores})", three_digits(times.median))
+    });
+    format!("{title}: {}", times.collect::<Vec<_>>().join(", "))
+}
+
 /// Prints the times, the shares of pixels, and what was measured on.
 pub(crate) fn print(cells: &[Cell], facts: &Facts, clock: Clock) {
     let what = match clock {
