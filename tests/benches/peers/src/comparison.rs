@@ -1,6 +1,5 @@
 //! All renderers on all scenes, in turn.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
@@ -8,9 +7,10 @@ use std::time::Duration;
 use anyhow::{Context, ensure};
 use clap::builder::PossibleValuesParser;
 use common::{Format, Image};
-use speed_scenes::methods::METHODS;
+use speed_scenes::clock::Clock;
+use speed_scenes::methods::{Way, ways};
 use speed_scenes::rounds::{Limits, rounds};
-use speed_scenes::{Recipe, SCENES};
+use speed_scenes::{Recipe, SCENES, Scene};
 
 use crate::child::Running;
 use crate::facts::Facts;
@@ -25,7 +25,7 @@ pub(crate) struct Flags {
     scene: Vec<String>,
 
     /// A method of ours, by its name; may be given more than once. The first is always there
-    #[arg(long, value_parser = PossibleValuesParser::from(METHODS.iter().map(|row| row.name).collect::<Vec<_>>()))]
+    #[arg(long, value_parser = PossibleValuesParser::from(ways().iter().map(|way| way.name).collect::<Vec<_>>()))]
     method: Vec<String>,
 
     /// How many rounds a scene
@@ -35,6 +35,10 @@ pub(crate) struct Flags {
     /// Fewer rounds, but at least 3, where they would take longer than so many seconds a scene
     #[arg(long, value_name = "S", default_value_t = 30.0)]
     seconds: f64,
+
+    /// Take for the time that for which a renderer has a processor, on one core alone: on a machine that is not quiet
+    #[arg(long)]
+    processor_time: bool,
 
     /// The two processors to draw on; the first is that on which one core draws
     #[arg(long, value_name = "N,N", default_value = "0,1", value_parser = two_processors)]
@@ -59,6 +63,17 @@ pub(crate) struct Flags {
     /// llvmpipe.c, compiled
     #[arg(long, value_name = "PROGRAM", value_parser = existing)]
     llvmpipe: Option<PathBuf>,
+}
+
+impl Flags {
+    fn clock(&self) -> Clock {
+        if self.processor_time { Clock::Processor } else { Clock::Wall }
+    }
+
+    /// On how many cores everyone draws.
+    fn cores(&self) -> &'static [usize] {
+        if self.processor_time { &[1] } else { &[1, 2] }
+    }
 }
 
 fn two_processors(text: &str) -> Result<(String, String), String> {
@@ -87,11 +102,11 @@ pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
     let mut cells = Vec::new();
     for recipe in SCENES.iter().filter(|recipe| wanted(&flags.scene, recipe.name)) {
         eprintln!("{}", recipe.title);
-        cells.extend(scene(recipe, flags, limits, &mut facts)?);
+        cells.extend(compare(recipe, flags, limits, &mut facts)?);
     }
     facts.load_after();
-    print(&cells, &facts);
-    flags.csv.as_deref().map_or(Ok(()), |path| write_csv(&cells, &facts, path))
+    print(&cells, &facts, flags.clock());
+    flags.csv.as_deref().map_or(Ok(()), |path| write_csv(&cells, &facts, flags.clock(), path))
 }
 
 /// Whether a flag asks for a name, or is not given.
@@ -100,20 +115,21 @@ fn wanted(flag: &[String], name: &str) -> bool {
 }
 
 /// Times all renderers on one scene.
-fn scene(
+fn compare(
     recipe: &'static Recipe,
     flags: &Flags,
     limits: Limits,
     facts: &mut Facts,
 ) -> anyhow::Result<Vec<Cell>> {
     let folder = tempfile::tempdir()?;
-    let (mut painters, contenders) = start(recipe, flags, folder.path())?;
+    let scene = (recipe.make)();
+    let (mut painters, contenders) = start(&scene, recipe.name, flags, folder.path())?;
     facts.add_renderers(painters.iter().map(|painter| painter.says.as_str()));
-    let size = (recipe.make)().size;
     let mut pictures = Vec::new();
     for Contender { renderer, cores, method, painter } in &contenders {
         let bytes = painters[*painter].picture(method, &folder.path().join("picture"))?;
-        let mut image = Image::new(size[0], size[1], Format::Rgb);
+        let [width, height] = scene.size;
+        let mut image = Image::new(width, height, Format::Rgb);
         ensure!(bytes.len() == image.buffer().len(), "{renderer}'s picture has another size");
         image.buffer_mut().copy_from_slice(&bytes);
         if let Some(folder) = &flags.pictures {
@@ -123,7 +139,7 @@ fn scene(
     }
     let times = rounds(contenders.len(), limits, |n| {
         let Contender { method, painter, .. } = contenders[n];
-        painters[painter].draw(method)
+        painters[painter].draw(method, flags.clock())
     })?;
     let cell = |((contender, times), picture): ((Contender, _), &Image)| Cell {
         recipe,
@@ -136,26 +152,33 @@ fn scene(
 }
 
 /// Starts what draws a scene.
-fn start(recipe: &Recipe, flags: &Flags, folder: &Path) -> anyhow::Result<(Vec<Running>, Vec<Contender>)> {
+fn start(
+    scene: &Scene,
+    name: &str,
+    flags: &Flags,
+    folder: &Path,
+) -> anyhow::Result<(Vec<Running>, Vec<Contender>)> {
     let (first, second) = &flags.processors;
     let processors = |cores: usize| if cores == 1 { first.clone() } else { format!("{first},{second}") };
     let (mut painters, mut contenders) = (Vec::new(), Vec::new());
 
+    let mut methods = ways();
+    let first = methods[0].name;
+    methods.retain(|way| way.name == first || wanted(&flags.method, way.name));
     let this = std::env::current_exe()?;
     let builds = [(this.as_path(), ""), (&flags.best, " (native)")];
     for (program, note) in builds.into_iter().take(1 + usize::from(flags.native)) {
-        let methods =
-            || METHODS.iter().enumerate().filter(|(n, row)| *n == 0 || wanted(&flags.method, row.name));
-        let threads: BTreeSet<usize> =
-            methods().flat_map(|(_, row)| row.threads).copied().filter(|threads| *threads <= 2).collect();
-        for threads in threads {
-            let mut command = Command::new(program);
-            command.args(["paint", "ours", recipe.name, &threads.to_string()]);
-            for (_, row) in methods().filter(|(_, row)| row.threads.contains(&threads)) {
-                let (renderer, painter) = (format!("{}{note}", row.name), painters.len());
-                contenders.push(Contender { renderer, cores: threads, method: row.name, painter });
+        for &cores in flags.cores() {
+            let painter = painters.len();
+            for Way { name: method, .. } in methods.iter().filter(|way| way.threads.contains(&cores)) {
+                let renderer = format!("{method}{note}");
+                contenders.push(Contender { renderer, cores, method, painter });
             }
-            painters.push(Running::start(&processors(threads), &command)?);
+            if contenders.last().is_some_and(|last| last.painter == painter) {
+                let mut command = Command::new(program);
+                command.args(["paint", "ours", name, &cores.to_string()]);
+                painters.push(Running::start(&processors(cores), &command)?);
+            }
         }
     }
 
@@ -166,11 +189,11 @@ fn start(recipe: &Recipe, flags: &Flags, folder: &Path) -> anyhow::Result<(Vec<R
         Ok(())
     };
     let mut command = Command::new(&flags.best);
-    peer("euc", 1, command.args(["paint", "euc", recipe.name, "1"]))?;
+    peer("euc", 1, command.args(["paint", "euc", name, "1"]))?;
     if let Some(llvmpipe) = &flags.llvmpipe {
         let path = folder.join("scene");
-        file::write(&(recipe.make)(), &path)?;
-        for cores in [1, 2] {
+        file::write(scene, &path)?;
+        for &cores in flags.cores() {
             let mut command = Command::new(llvmpipe);
             command.arg(&path).env("LP_NUM_THREADS", cores.to_string());
             command.envs([("GALLIUM_DRIVER", "llvmpipe"), ("LIBGL_ALWAYS_SOFTWARE", "1")]);

@@ -4,6 +4,7 @@ use common::{Mat4, Vec3};
 use euc::buffer::Buffer2d;
 use euc::rasterizer::{BackfaceCullingEnabled, Triangles};
 use euc::{Pipeline, Target};
+use filtering::Wrap;
 use speed_scenes::Scene;
 
 use crate::buffers::{Corner, buffers};
@@ -16,6 +17,7 @@ struct Uniforms {
     corners: Vec<Corner>,
     texels: Vec<Pixel>,
     texture: [i32; 2],
+    repeats: bool,
     to_clip: Mat4,
     light: Vec3,
 }
@@ -35,7 +37,10 @@ impl Pipeline for Uniforms {
     #[inline(always)]
     fn frag(&self, &(u, v, intensity): &Self::VsOut) -> Pixel {
         let [columns, rows] = self.texture;
-        let texel = |u: f32, n: i32| (((u - u.floor()) * n as f32) as i32).min(n - 1);
+        let texel = |u: f32, n: i32| {
+            let place = if self.repeats { u - u.floor() } else { u };
+            ((place * n as f32) as i32).clamp(0, n - 1)
+        };
         let place = texel(v, rows) * columns + texel(u, columns);
         let [r, g, b, a] = self.texels[place as usize];
         // A float cast takes what is below 0 for 0.
@@ -63,8 +68,9 @@ impl Euc {
         let size = scene.size.map(usize::from);
         let texels = texels.collect();
         let (to_clip, light) = (scene.to_clip, scene.light);
+        let repeats = scene.surface().texture.wrap == Wrap::Repeat;
         Self {
-            uniforms: Uniforms { corners, texels, texture: sides, to_clip, light },
+            uniforms: Uniforms { corners, texels, texture: sides, repeats, to_clip, light },
             indices,
             colors: Buffer2d::new(size, [0; 4]),
             depths: Buffer2d::new(size, 1.0),
@@ -73,12 +79,13 @@ impl Euc {
 }
 
 impl Painter for Euc {
-    fn draw(&mut self, _: &str) -> anyhow::Result<()> {
+    fn ready(&mut self, _: &str) {}
+
+    fn draw(&mut self, _: &str) {
         self.colors.clear([0, 0, 0, 255]);
         self.depths.clear(1.0);
         let (colors, depths) = (&mut self.colors, Some(&mut self.depths));
         self.uniforms.draw::<Triangles<'_, _, BackfaceCullingEnabled>, _>(&self.indices, colors, depths);
-        Ok(())
     }
 
     fn picture(&self) -> Vec<u8> {

@@ -4,12 +4,13 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use anyhow::Context;
+use filtering::Wrap;
 use speed_scenes::Scene;
 
 use crate::buffers::{Corner, buffers};
 
 /// Writes a scene, all numbers in the machine's own order of bytes: width, height, how many vertices and indices there
-/// are, the texture's width and height, as `u32`; the matrix to clip space by columns and the direction of the light,
+/// are, the texture's width and height and whether it is repeated, 0 or 1, as `u32`; the matrix to clip space by columns and the direction of the light,
 /// as `f32`; each vertex's position, normal, u and v, as `f32`; the indices of the triangles' corners, as `u32`; the
 /// texture in rows from the bottom, four bytes a texel.
 ///
@@ -22,7 +23,9 @@ pub(crate) fn write(scene: &Scene, path: &Path) -> anyhow::Result<()> {
     let mut file = BufWriter::new(file);
     let [width, height] = scene.size.map(u32::from);
     let [columns, rows] = [texture.width(), texture.height()];
-    let sizes = [width, height, corners.len() as u32, indices.len() as u32, columns as u32, rows as u32];
+    let repeats = u32::from(scene.surface().texture.wrap == Wrap::Repeat);
+    let sizes =
+        [width, height, corners.len() as u32, indices.len() as u32, columns as u32, rows as u32, repeats];
     for number in sizes {
         file.write_all(&number.to_ne_bytes())?;
     }

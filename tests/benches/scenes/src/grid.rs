@@ -36,7 +36,7 @@ fn corner(share: Vec2, size: Vec2) -> Corner {
     Corner {
         at: share * size,
         inverse_depth: 0.4 - 0.2 * share.y,
-        uv: share * size / 1024.0,
+        uv: share,
         normal: Vec3::new(share.x - 0.5, share.y - 0.5, 1.0),
     }
 }

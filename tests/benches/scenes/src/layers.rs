@@ -44,15 +44,15 @@ fn stage(count: u16, tilt: f32, order: Vec<u16>) -> Scene {
     stage.scene()
 }
 
-/// The corner of layer `n` on that side of the picture, a pixel beyond its border. A texel is a pixel wide.
+/// The corner of layer `n` on that side of the picture, a pixel beyond its border. Of neighbours each shows the whole
+/// texture another way round.
 fn corner(n: u16, inverse_depth: f32, side: Vec2) -> Corner {
-    const TEXELS: f32 = 1024.0;
     let size = Vec2::new(FULL[0].into(), FULL[1].into());
-    let shift = f32::from(n) * Vec2::new(0.37, 0.21);
+    let around = [Vec2::new(1.0, 1.0), Vec2::new(-1.0, 1.0), Vec2::new(1.0, -1.0), Vec2::new(-1.0, -1.0)];
     Corner {
         at: (side + 1.0) / 2.0 * size + side,
         inverse_depth,
-        uv: side * size / 2.0 / TEXELS + shift,
+        uv: (side * around[usize::from(n % 4)] + 1.0) / 2.0,
         normal: Vec3::new(0.5 * side.x, 0.5 * side.y, 1.0),
     }
 }

@@ -1,34 +1,40 @@
 //! The course's ways to draw the scenes.
 
-use std::hint::black_box;
-
-use common::Image;
-use filtering::Surface;
-use filtering::filter::{Filter, Nearest, Trilinear};
+use clipping::Counts;
+use common::{Image, Method};
+use filtering::{METHODS, Surface};
 
 use crate::Scene;
 
-/// Draws on so many threads.
-pub type Draw = fn(&Surface, usize, &mut Image);
-
-/// The names of the filters.
+/// The filters of lesson 13 with which methods are timed.
 pub const FILTERS: [&str; 2] = ["nearest", "trilinear"];
 
 /// A method.
-pub struct Row {
+pub struct Way {
     /// Its name.
     pub name: &'static str,
-    /// With each of the filters.
-    pub draw: [Draw; FILTERS.len()],
     /// With how many threads it is timed.
     pub threads: &'static [usize],
 }
 
-/// All methods. The others are compared with the first.
-pub const METHODS: &[Row] =
-    &[Row { name: "simple", draw: [simple::<Nearest>, simple::<Trilinear>], threads: &[1] }];
+/// Draws a scene's surface over whatever was in a picture, again and again.
+pub type Drawer = Box<dyn FnMut(&Surface, &mut Image) -> Counts>;
 
-/// Lesson 13's.
-fn simple<F: Filter + Default>(surface: &Surface, _: usize, image: &mut Image) {
-    black_box(filtering::draw(std::slice::from_ref(surface), F::default(), Scene::CULL, image).counts);
+/// All methods. The others are compared with the first.
+#[must_use]
+pub fn ways() -> Vec<Way> {
+    vec![Way { name: "simple", threads: &[1] }]
+}
+
+/// Who draws by a method, with one of the filters and so many threads, pictures of that size.
+///
+/// # Panics
+/// Where there is no such filter.
+#[must_use]
+pub fn drawer(_method: &str, filter: &str, _threads: usize, _size: [u16; 2]) -> Drawer {
+    let filter = Method::find(METHODS, filter).expect("it is one of the table");
+    Box::new(|surface, image| {
+        image.buffer_mut().fill(0);
+        (filter.run.draw)(std::slice::from_ref(surface), Scene::CULL, image).counts
+    })
 }

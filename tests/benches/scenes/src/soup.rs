@@ -22,7 +22,7 @@ pub fn soup(count: u32, area: f32) -> Scene {
             at: middle + radius * turned,
             // One corner's depth differs from another's, by up to a hundredth.
             inverse_depth: inverse_depth * (1.0 + 0.005 * turned.y),
-            uv: (middle + radius * turned) / 1024.0,
+            uv: (middle + radius * turned) / size,
             normal: Vec3::new(turned.x, turned.y, 2.0),
         };
         stage.corners.extend([direction, turned(direction), turned(turned(direction))].map(corner));

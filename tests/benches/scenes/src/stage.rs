@@ -29,11 +29,14 @@ pub(crate) fn projection(size: [u16; 2]) -> Mat4 {
     perspective(fov, aspect, near, far).expect("there is such a camera")
 }
 
-/// A model with its texture, and all that is smaller of that, ready to be drawn.
+/// A model with its texture, and all that is smaller of that, ready to be drawn. The texture is repeated only where the
+/// model wants it to be: nobody should pay for what a scene does not need.
 pub(crate) fn object(model: Model, normals: Vec<[Vec3; 3]>, texture: Image) -> Filterable {
+    let inside = |uv: &Vec2| uv.cmpge(Vec2::ZERO).all() && uv.cmple(Vec2::ONE).all();
+    let wrap = if model.face_uvs().flatten().all(|uv| inside(&uv)) { Wrap::Clamp } else { Wrap::Repeat };
     let box_linear = common::Method::find(MIPMAPS, "box-linear").expect("it is a row of the table");
-    let loaded = Loaded { model, normals, texture, wrap: textures::Wrap::Repeat };
-    Filterable::new(loaded, box_linear.run, Wrap::Repeat)
+    let loaded = Loaded { model, normals, texture, wrap: textures::Wrap::default() };
+    Filterable::new(loaded, box_linear.run, wrap)
 }
 
 /// The head's texture, 1024×1024.
