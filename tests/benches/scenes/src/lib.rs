@@ -1,5 +1,5 @@
 //! What lesson 17 is measured by: [`SCENES`], each the same in every run, the [`methods`] that draw them, and [`rounds`],
-//! which times things in turn.
+//! which times things in turn, by a [`clock`](clock::Clock).
 //!
 //! Tests, benchmarks, charts and the comparison with other renderers share them.
 //!
@@ -10,6 +10,7 @@
 //! | [`soup`] | a million small triangles anywhere |
 //! | [`grid`] | the picture in triangles of one size |
 
+pub mod clock;
 pub mod grid;
 pub mod layers;
 pub mod methods;
@@ -45,10 +46,10 @@ impl Scene {
         self.object.surface(self.light, self.to_clip)
     }
 
-    /// A black picture of its size.
+    /// A picture of its size, of four bytes a pixel as other renderers' are.
     #[must_use]
     pub fn canvas(&self) -> Image {
-        Image::new(self.size[0], self.size[1], Format::Rgb)
+        Image::new(self.size[0], self.size[1], Format::Rgba)
     }
 }
 

@@ -17,7 +17,7 @@ pub struct Way {
     pub threads: &'static [usize],
 }
 
-/// Draws a scene's surface in a picture that is black, again and again.
+/// Draws a scene's surface over whatever was in a picture, again and again.
 pub type Drawer = Box<dyn FnMut(&Surface, &mut Image) -> Counts>;
 
 /// All methods. The others are compared with the first.
@@ -33,5 +33,8 @@ pub fn ways() -> Vec<Way> {
 #[must_use]
 pub fn drawer(_method: &str, filter: &str, _threads: usize, _size: [u16; 2]) -> Drawer {
     let filter = Method::find(METHODS, filter).expect("it is one of the table");
-    Box::new(|surface, image| (filter.run.draw)(std::slice::from_ref(surface), Scene::CULL, image).counts)
+    Box::new(|surface, image| {
+        image.buffer_mut().fill(0);
+        (filter.run.draw)(std::slice::from_ref(surface), Scene::CULL, image).counts
+    })
 }
