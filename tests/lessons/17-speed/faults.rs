@@ -137,14 +137,6 @@ pub(crate) const FAULTS: &[Fault<Speed>] = &[
         ],
     },
     Fault {
-        cause: "least and greatest are exchanged: a block is outside where its greatest value is too small",
-        hint: Some(3),
-        versions: &[found!(|edges, right, up| {
-            let [least, most] = ends(edges, right, up, 7.0);
-            [most, least]
-        })],
-    },
-    Fault {
         cause: "a block is said to be outside where one of its corners is: all four must be, of the same side",
         hint: Some(3),
         versions: &[said!(|least, _most, inside| {
