@@ -191,7 +191,11 @@ fn scene() -> impl Strategy<Value = ([u16; 2], Vec<Picture>, Way)> {
 proptest! {
     // Scenes are made of many numbers, most of the time with the usual generator.
     #![proptest_config(ProptestConfig {
-        cases: 10_000, rng_algorithm: RngAlgorithm::XorShift, ..ProptestConfig::default()
+        cases: 10_000,
+        rng_algorithm: RngAlgorithm::XorShift,
+        // A folder of failures would be taken for a package.
+        failure_persistence: None,
+        ..ProptestConfig::default()
     })]
 
     /// One picture after the other in the same frame; and by blocks.

@@ -191,7 +191,7 @@ fn shot() -> impl Strategy<Value = (Shot, Way)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn lesson_9s_shaders((shot, way) in shot()) {
