@@ -194,6 +194,7 @@ impl<'a, S: Shader + ?Sized> Stages<'a, S> {
     // ANCHOR: seen
     /// 1. A vertex.
     #[inline]
+    #[must_use]
     pub fn vertex(&self, vertex: &Vertex) -> Computed<S::Varying> {
         let position = self.shader.position(vertex.position as usize);
         let varying = self.shader.corner(vertex.face as usize, vertex.corner as usize);
