@@ -95,7 +95,6 @@ fn print_scene(
         let mut image = scene.canvas();
         let times = rounds(drawers.len(), limits, |n| {
             let start = Instant::now();
-            image.buffer_mut().fill(0);
             black_box(drawers[n](&surface, &mut image));
             let taken = start.elapsed();
             if *expected.get_or_insert_with(|| image.clone()) == image {

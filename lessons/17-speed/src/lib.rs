@@ -24,7 +24,9 @@ use perspective::lighting::Clamped;
 
 use blocks::Blocks;
 use filters::WideFilter;
-use frame::{Frame, Plan};
+use frame::Frame;
+
+pub use frame::Plan;
 
 /// This lesson.
 pub const LESSON: Lesson = Lesson {
@@ -44,7 +46,7 @@ pub struct Picture<'a> {
     pub cull: Cull,
 }
 
-/// Who draws one picture after another, all of one size.
+/// Who draws one picture after another, all of one size, over whatever was in it.
 pub type Drawer = Box<dyn FnMut(&Picture, &mut Image) -> Counts>;
 
 /// A method.
@@ -101,11 +103,15 @@ impl Renderer {
 }
 
 fn simple<F: WideFilter>() -> Drawer {
-    Box::new(|picture, image| filtering::draw(picture.surfaces, F::default(), picture.cull, image).counts)
+    Box::new(|picture, image| {
+        image.clear();
+        filtering::draw(picture.surfaces, F::default(), picture.cull, image).counts
+    })
 }
 
 fn blocks<F: WideFilter>() -> Drawer {
     Box::new(|picture, image| {
+        image.clear();
         let size = image.size();
         let mut target = perspective::Framebuffer::new(image, ZF32);
         let mut counts = Counts::default();

@@ -45,10 +45,10 @@ impl Scene {
         self.object.surface(self.light, self.to_clip)
     }
 
-    /// A black picture of its size.
+    /// A picture of its size, of four bytes a pixel as other renderers' are.
     #[must_use]
     pub fn canvas(&self) -> Image {
-        Image::new(self.size[0], self.size[1], Format::Rgb)
+        Image::new(self.size[0], self.size[1], Format::Rgba)
     }
 }
 

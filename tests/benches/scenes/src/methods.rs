@@ -2,7 +2,8 @@
 
 use clipping::Counts;
 use common::{Image, Method};
-use filtering::{METHODS, Surface};
+use filtering::Surface;
+use speed::{METHODS, Picture};
 
 use crate::Scene;
 
@@ -17,21 +18,29 @@ pub struct Way {
     pub threads: &'static [usize],
 }
 
-/// Draws a scene's surface in a picture that is black, again and again.
+/// Draws a scene's surface over whatever was in a picture, again and again.
 pub type Drawer = Box<dyn FnMut(&Surface, &mut Image) -> Counts>;
 
 /// All methods. The others are compared with the first.
 #[must_use]
 pub fn ways() -> Vec<Way> {
-    vec![Way { name: "simple", threads: &[1] }]
+    let threads = |plan: Option<speed::Plan>| -> &[usize] {
+        if plan.is_some_and(|plan| plan.threads != 1) { &[1, 2] } else { &[1] }
+    };
+    METHODS.iter().map(|row| Way { name: row.name, threads: threads(row.run.plan) }).collect()
 }
 
 /// Who draws by a method, with one of the filters and so many threads, pictures of that size.
 ///
 /// # Panics
-/// Where there is no such filter.
+/// Where there is no such method or filter.
 #[must_use]
-pub fn drawer(_method: &str, filter: &str, _threads: usize, _size: [u16; 2]) -> Drawer {
-    let filter = Method::find(METHODS, filter).expect("it is one of the table");
-    Box::new(|surface, image| (filter.run.draw)(std::slice::from_ref(surface), Scene::CULL, image).counts)
+pub fn drawer(method: &str, filter: &str, threads: usize, size: [u16; 2]) -> Drawer {
+    let method = Method::find(METHODS, method).expect("it is one of the table");
+    let filter =
+        filtering::METHODS.iter().position(|row| row.name == filter).expect("it is one of the table");
+    let mut draw = method.run.drawer(size.map(i32::from), filter, threads);
+    Box::new(move |surface, image| {
+        draw(&Picture { surfaces: std::slice::from_ref(surface), cull: Scene::CULL }, image)
+    })
 }
