@@ -28,9 +28,10 @@ fn the_quiz_about_a_block() {
 #[test]
 #[expect(clippy::suboptimal_flops)]
 fn the_order_of_roundings_matters() {
-    assert_eq!(((1e8_f32 + 1.0) + 1.0) + 1.0, 100_000_000.0);
-    assert_eq!((1e8_f32 + 1.0) + (1.0 + 1.0), 100_000_000.0);
-    assert_eq!(1e8_f32 + ((1.0 + 1.0) + 1.0 + 2.0), 100_000_008.0);
+    assert_eq!((1e8_f32 + 3.0) + 2.0, 100_000_000.0);
+    assert_eq!(1e8_f32 + (3.0 + 2.0), 100_000_008.0);
+    assert_eq!((1e8_f32 + 3.0) + (3.0 + 2.0), 100_000_008.0);
+    assert_eq!(((1e8_f32 + 3.0) + 3.0) + 2.0, 100_000_000.0);
     let (x, y) = (1.0 + f32::EPSILON, 1.0 - f32::EPSILON);
     assert_eq!(x * y - 1.0, 0.0);
     assert!(x.mul_add(y, -1.0) < 0.0);

@@ -115,12 +115,12 @@ pub(super) fn lanes() -> anyhow::Result<Drawing> {
 
 pub(super) fn order() -> anyhow::Result<Drawing> {
     let mut sheet = Sheet::new((0.0, 0.0), (22.0, 9.4));
-    let numbers = [1.0e8_f32, 1.0, 1.0, 1.0];
-    let words = ["10⁸", "1", "1", "1"];
+    let numbers = [1.0e8_f32, 3.0, 3.0, 2.0];
+    let words = ["10⁸", "3", "3", "2"];
     let [a, b, c, d] = numbers;
     let leaning = ((a + b) + c) + d;
     let balanced = (a + b) + (c + d);
-    let exact = f64::from(a) + 3.0;
+    let exact = numbers.into_iter().map(f64::from).sum::<f64>();
     let node = |sheet: &mut Sheet, at: Vec2, words: &str, ink: Ink| {
         sheet.labelled(at, (if words.len() > 3 { 2.5 } else { 0.9 }, 0.65), ink, words);
     };

@@ -121,6 +121,7 @@ impl Frame {
         };
         let counts = Counts { vertices: vertices.len(), ..counts };
 
+        // ANCHOR: tiles
         // 3. Tiles.
         let background = tiles.background;
         let job = Job { shader, sorted: &sorted, plan, deferred: plan.deferred && shader.keeps_all() };
@@ -134,6 +135,7 @@ impl Frame {
             Some(pool) => pool.install(|| tiles.tiles.par_iter_mut().enumerate().for_each(draw)),
             None => tiles.tiles.iter_mut().enumerate().for_each(draw),
         }
+        // ANCHOR_END: tiles
         *kept.of() = vertices;
         *kept.of() = sorted;
         counts

@@ -8,8 +8,10 @@
 //! and d what the others have more, at least 0 like λ. Rounding is monotonic, so the sum in f32 is no less than n: that bound
 //! is exact. The second bound is the plane's least depth at the block's corners, in f64. Each dᵢ, λᵢ and dᵢλᵢ is off by at most
 //! 2⁻²⁴ of itself, two additions by 2⁻²⁴ each of at most the largest d, which makes 5·2⁻²⁴ of it, with terms below 2⁻⁴⁷; the
-//! last addition is off by 2⁻²⁴ of the depth. Eight times 2⁻²⁴ of the sum of both is more than that and than what f64 rounds
-//! here. A block's farthest depth is one of its pixels', or more where masked writes left it alone, since depths only become
+//! last addition is off by 2⁻²⁴ of the depth, and so is the bound when it becomes an f32. Eight times 2⁻²⁴ of both is more than all
+//! that. In f64, numbers cancel that may be large, since a needle's edge functions are many times its area: fewer than 32 roundings
+//! by 2⁻⁵³ of the largest are less than 2⁻⁴⁸ of it. Below the least normal f32 a rounding is off by up to 2⁻¹⁵⁰, whatever the number;
+//! that least one covers these. A block's farthest depth is one of its pixels', or more where masked writes left it alone, since depths only become
 //! nearer; so what is rejected is no nearer than any pixel of the block, and the test of each would have failed.
 
 use common::{DVec3, Vec3};
@@ -28,14 +30,19 @@ pub(crate) struct Plane {
     margin: f64,
 }
 
+// ANCHOR: plane
 impl Plane {
     #[inline(always)]
     pub(crate) fn new(edges: &Edges, z: Vec3) -> Self {
         let nearest = z.min_element();
         let more = (z - nearest).as_dvec3();
         let (nearest, span) = (f64::from(nearest), more.max_element());
-        let margin = (nearest.abs() + 2.0 * span) * (8.0 / (1 << 24) as f64);
         let per_edge: DVec3 = more * edges.per_area;
+        // No picture is wider or higher.
+        let largest = edges.origin.abs() + (edges.right.abs() + edges.up.abs()) * f64::from(1 << 16);
+        let margin = (nearest.abs() + 2.0 * span) * (8.0 / (1 << 24) as f64)
+            + per_edge.dot(largest) / (1_u64 << 48) as f64
+            + f64::from(f32::MIN_POSITIVE);
         Self {
             origin: nearest + per_edge.dot(edges.origin),
             right: per_edge.dot(edges.right),
@@ -56,3 +63,4 @@ impl Plane {
         [least.max(self.nearest) as f32, most.min(self.farthest) as f32]
     }
 }
+// ANCHOR_END: plane

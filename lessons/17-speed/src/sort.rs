@@ -31,6 +31,7 @@ impl<C, V> Default for Sorted<C, V> {
 }
 
 impl<C: Copy, V: Copy> Sorted<C, V> {
+    // ANCHOR: sort
     /// Sorts those triangles.
     pub(crate) fn fill<W: Shared<Constant = C, Varying = V>>(
         &mut self,
@@ -59,6 +60,7 @@ impl<C: Copy, V: Copy> Sorted<C, V> {
             }
         })
     }
+    // ANCHOR_END: sort
 }
 
 /// Bits of a triangle's number within its part; those above tell the part.
