@@ -118,8 +118,10 @@ impl Table {
             all
         };
         let names = different(across_at);
-        let mut lines =
-            vec![format!("| {down} | {} |", names.join(" | ")), format!("|---|{}", "--:|".repeat(names.len()))];
+        let mut lines = vec![
+            format!("| {down} | {} |", names.join(" | ")),
+            format!("|---|{}", "--:|".repeat(names.len())),
+        ];
         for key in different(down_at) {
             let cell = |name: &&str| {
                 let found = self.rows.iter().filter(|row| row[down_at] == key && row[across_at] == **name);

@@ -22,7 +22,11 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     name: "17-speed",
     job: "Lesson 17, the same pixels",
     methods: || METHODS.iter().map(|method| method.name).collect(),
-    error: Quantity { name: "pixels unlike lesson 13's", unit: "a picture", limit: (1.0, "within one a picture") },
+    error: Quantity {
+        name: "pixels unlike lesson 13's",
+        unit: "a picture",
+        limit: (1.0, "within one a picture"),
+    },
     further: &[],
     samples: "pictures of 120×90 px of the head on the floor from anywhere around it, all filters",
     exhaustive: false,
@@ -39,7 +43,11 @@ pub(crate) const METHODS_CHART: Chart = Chart {
     stability: Stability {
         stress: "pixels of the picture's side",
         falling: false,
-        error: Quantity { name: "pixels unlike lesson 13's", unit: "a picture", limit: (1.0, "one a picture") },
+        error: Quantity {
+            name: "pixels unlike lesson 13's",
+            unit: "a picture",
+            limit: (1.0, "one a picture"),
+        },
         measure: method_stability,
     },
     wrong: &[],
@@ -57,12 +65,7 @@ fn differing(one: &Image, other: &Image) -> f64 {
 }
 
 /// For each method, how many pixels of a picture of the lesson's subjects are others than those of the first.
-fn unlike(
-    subjects: &[Subject],
-    random: &mut Rng,
-    [width, height]: [u16; 2],
-    filter: usize,
-) -> Vec<f64> {
+fn unlike(subjects: &[Subject], random: &mut Rng, [width, height]: [u16; 2], filter: usize) -> Vec<f64> {
     let around = std::f32::consts::TAU * random.f32();
     let (high, far) = (2.0 * random.f32() - 0.3, 1.5 + 3.0 * random.f32());
     let eye = Vec3::new(far * around.sin(), high, far * around.cos());
@@ -119,8 +122,7 @@ fn own_picture() -> Vec<Work> {
         let mut image = Image::new(SIZE, SIZE, Format::Rgb);
         let mut draw = method.run.drawer([SIZE.into(); 2], trilinear, 1);
         Work::new(f64::from(SIZE) * f64::from(SIZE), move || {
-            let surfaces =
-                [0, 1].map(|n: usize| subjects[n].surface(LIGHT.normalize(), to_clip));
+            let surfaces = [0, 1].map(|n: usize| subjects[n].surface(LIGHT.normalize(), to_clip));
             draw(&Picture { surfaces: &surfaces, cull: Cull::Back }, &mut image)
         })
     };
@@ -128,7 +130,10 @@ fn own_picture() -> Vec<Work> {
 }
 
 /// Draws a scene on one thread with the nearest texel; counted are the picture's pixels.
-pub(crate) fn scene_works<'a>(scene: Scene, methods: impl IntoIterator<Item = &'a Method<Renderer>>) -> Vec<Work> {
+pub(crate) fn scene_works<'a>(
+    scene: Scene,
+    methods: impl IntoIterator<Item = &'a Method<Renderer>>,
+) -> Vec<Work> {
     let scene = Rc::new(scene);
     let work = |method: &Method<Renderer>| {
         let scene = Rc::clone(&scene);

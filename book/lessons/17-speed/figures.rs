@@ -21,14 +21,12 @@ use super::sketches::{amdahl, blocks, corners, groups, lanes, middles, order, ro
 use crate::figures::picture::{method, painted};
 use crate::figures::{Drawing, Figure};
 use crate::lessons::clipping::figures::to_clip;
-use crate::lessons::filtering::figures::{CENTER, EYE, HALF, LIGHT, Subject, THIRD, of_floor, of_head, rows_of};
+use crate::lessons::filtering::figures::{
+    CENTER, EYE, HALF, LIGHT, Subject, THIRD, of_floor, of_head, rows_of,
+};
 
 pub(crate) const FIGURES: &[Figure] = &[
-    Figure::new(
-        "speed-default",
-        "A head on a chequered floor, twice, without a difference.",
-        default,
-    ),
+    Figure::new("speed-default", "A head on a chequered floor, twice, without a difference.", default),
     Figure::new(
         "speed-overdraw",
         "The head on the floor three times in shades of one colour, brighter where a pixel is drawn more often: all that is covered; \
@@ -204,9 +202,16 @@ fn visibility() -> anyhow::Result<Drawing> {
 pub(super) fn windows(side: u16) -> anyhow::Result<Vec<[Vec4; 3]>> {
     let mut all = Vec::new();
     each_subject(|shader, mesh| {
-        triangles(shader, mesh, Cull::Back, Clipping::GuardBand, Vec2::splat(side.into()), |_, corners, _| {
-            all.push(corners);
-        });
+        triangles(
+            shader,
+            mesh,
+            Cull::Back,
+            Clipping::GuardBand,
+            Vec2::splat(side.into()),
+            |_, corners, _| {
+                all.push(corners);
+            },
+        );
     })?;
     Ok(all)
 }
@@ -305,7 +310,11 @@ const NEARLY: [[f32; 3]; 2] = [[0.7, 0.700_000_6, 0.700_000_3], [0.700_000_06, 0
 /// where its plane, without any margin, is nowhere nearer than the farthest of the first.
 pub(super) fn nearly(side: u16, in_blocks: bool) -> Vec<bool> {
     let wide = f32::from(side);
-    let corners = [Vec2::new(-0.25 * wide, -0.25 * wide), Vec2::new(2.5 * wide, -0.25 * wide), Vec2::new(-0.25 * wide, 2.5 * wide)];
+    let corners = [
+        Vec2::new(-0.25 * wide, -0.25 * wide),
+        Vec2::new(2.5 * wide, -0.25 * wide),
+        Vec2::new(-0.25 * wide, 2.5 * wide),
+    ];
     let bounds = Bounds { min: IVec2::ZERO, max: IVec2::splat(i32::from(side) - 1) };
     let at = |x: i32, y: i32| y as usize * usize::from(side) + x as usize;
     let [first, second] = NEARLY.map(|z| {
@@ -327,13 +336,17 @@ pub(super) fn nearly(side: u16, in_blocks: bool) -> Vec<bool> {
     };
     let pixel = |x: i32, y: i32| {
         let corner = IVec2::new(x, y) / SIDE * SIDE;
-        let block = (corner.y..corner.y + SIDE).flat_map(|y| (corner.x..corner.x + SIDE).map(move |x| (x, y)));
+        let block =
+            (corner.y..corner.y + SIDE).flat_map(|y| (corner.x..corner.x + SIDE).map(move |x| (x, y)));
         let farthest = block.filter(|&(x, y)| x <= bounds.max.x && y <= bounds.max.y);
         let farthest = farthest.map(|(x, y)| first[at(x, y)]).fold(0.0, f32::max);
         let rejected = in_blocks && least(corner) >= farthest;
         !rejected && second[at(x, y)] < first[at(x, y)]
     };
-    (0..i32::from(side)).flat_map(|y| (0..i32::from(side)).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect()
+    (0..i32::from(side))
+        .flat_map(|y| (0..i32::from(side)).map(move |x| (x, y)))
+        .map(|(x, y)| pixel(x, y))
+        .collect()
 }
 
 fn margin() -> anyhow::Result<Drawing> {

@@ -134,9 +134,17 @@ pub(super) fn order() -> anyhow::Result<Drawing> {
         let at = |x: f32, y: f32| Vec2::new(left + x, y);
         let leaves = [1.3, 4.0, 6.7, 9.4].map(|x| at(x, 8.4));
         let joins = if balanced_tree {
-            vec![(leaves[0], leaves[1], at(2.6, 5.2)), (leaves[2], leaves[3], at(8.0, 5.2)), (at(2.6, 5.2), at(8.0, 5.2), at(5.3, 2.6))]
+            vec![
+                (leaves[0], leaves[1], at(2.6, 5.2)),
+                (leaves[2], leaves[3], at(8.0, 5.2)),
+                (at(2.6, 5.2), at(8.0, 5.2), at(5.3, 2.6)),
+            ]
         } else {
-            vec![(leaves[0], leaves[1], at(2.6, 6.4)), (at(2.6, 6.4), leaves[2], at(4.0, 4.5)), (at(4.0, 4.5), leaves[3], at(5.3, 2.6))]
+            vec![
+                (leaves[0], leaves[1], at(2.6, 6.4)),
+                (at(2.6, 6.4), leaves[2], at(4.0, 4.5)),
+                (at(4.0, 4.5), leaves[3], at(5.3, 2.6)),
+            ]
         };
         for (one, other, to) in &joins {
             sheet.line(*one, *to, GREY, 1.6);
@@ -215,7 +223,8 @@ pub(super) fn groups() -> anyhow::Result<Drawing> {
             let at = Vec2::new(x as f32, y as f32) + 0.5;
             sheet.text(at, &(n + 1).to_string(), BLACK);
         }
-        let words = if in_row.len() == 1 { "1 triangle".into() } else { format!("{} triangles", in_row.len()) };
+        let words =
+            if in_row.len() == 1 { "1 triangle".into() } else { format!("{} triangles", in_row.len()) };
         sheet.text_right_of((8.4, y as f32 + 0.5), &words, GREY);
     }
     sheet.finish()
@@ -239,7 +248,9 @@ pub(super) fn schedule() -> anyhow::Result<Drawing> {
     // One half of the tiles each, the lower one and the upper one.
     let middle = costs.len() / 2;
     for (n, half) in [&costs[..middle], &costs[middle..]].into_iter().enumerate() {
-        half.iter().fold(0.0, |from, &cost| bar(19.0 - 4.4 * n as f32, from, cost, if n == 0 { SKY } else { AMBER }));
+        half.iter().fold(0.0, |from, &cost| {
+            bar(19.0 - 4.4 * n as f32, from, cost, if n == 0 { SKY } else { AMBER })
+        });
     }
     // The next one for whoever is free.
     let mut free = [0.0_f32; 2];
@@ -272,7 +283,9 @@ pub(super) fn amdahl() -> anyhow::Result<Drawing> {
         sheet.text_left_of((-0.3, times as f32), &times.to_string(), GREY);
         sheet.line((0.0, times as f32), (16.5, times as f32), FAINT, 1.0);
     }
-    for (serial, words, ink) in [(0.0, "0", GREY), (0.05, "5 %", BLUE), (0.1, "10 %", GREEN), (0.2, "20 %", ORANGE)] {
+    for (serial, words, ink) in
+        [(0.0, "0", GREY), (0.05, "5 %", BLUE), (0.1, "10 %", GREEN), (0.2, "20 %", ORANGE)]
+    {
         let last = if serial == 0.0 { 12.0 } else { 16.0 };
         let points = (0..=60).map(|n| 1.0 + (last - 1.0) * n as f32 / 60.0);
         sheet.polyline(points.map(|threads| Vec2::new(threads, faster(serial, threads))), ink, 2.4);
@@ -345,7 +358,11 @@ pub(super) fn roofline() -> anyhow::Result<Drawing> {
     sheet.text_right_of((low.x + 0.1, high.y - 0.04 * tall), "10⁹ operations a second", GREY);
     let ridge = core / memory;
     let first = (1.0 / memory).max(1.0);
-    sheet.polyline([at(first, first * memory), at(ridge, core), Vec2::new(high.x, core.log2() as f32)], BLACK, 2.6);
+    sheet.polyline(
+        [at(first, first * memory), at(ridge, core), Vec2::new(high.x, core.log2() as f32)],
+        BLACK,
+        2.6,
+    );
     let inks = [GREY, PURPLE, ORANGE, GREEN, AMBER, BLUE, BLACK];
     let methods: Vec<_> = rows.iter().filter(|row| !["memory", "core"].contains(&row.0.as_str())).collect();
     for ((name, [operations, bytes, rate]), ink) in methods.into_iter().zip(inks) {

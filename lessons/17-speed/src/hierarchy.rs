@@ -64,3 +64,48 @@ impl Plane {
     }
 }
 // ANCHOR_END: plane
+
+#[cfg(test)]
+mod tests {
+    use common::{DVec2, Vec4};
+    use zbuffer::depth_at;
+
+    use super::*;
+    use crate::triangle::Ready;
+
+    /// Needles 1/256 px wide and up to far beyond the picture, on which the centre of a pixel lies: the largest numbers cancel.
+    #[test]
+    fn no_covered_pixel_is_beyond_the_bounds() {
+        let mut state = 17_u64;
+        let mut random = |below: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % below
+        };
+        let mut covered = 0;
+        for _ in 0..20_000 {
+            let pixel = [random(4096) as i32, random(4096) as i32];
+            let center = DVec2::from(pixel.map(f64::from)) + 0.5;
+            let step = DVec2::new(random(64) as f64 - 31.5, random(64) as f64 - 31.5) / 4.0;
+            let [there, back] = [random(8000) as f64, random(8000) as f64];
+            let (a, b) = (center + step * there, center - step * back);
+            let c = b + DVec2::new(0.0, 1.0 / 256.0);
+            let depths = [0; 3].map(|_| random(1 << 20) as f32 / (1 << 20) as f32);
+            let corner = |at: DVec2, z: f32| Vec4::new(at.x as f32, at.y as f32, z, 1.0);
+            let corners = [corner(a, depths[0]), corner(b, depths[1]), corner(c, depths[2])];
+            let Some(edges) = Ready::new(corners, (), [(); 3]).and_then(|ready| ready.edges()) else {
+                continue;
+            };
+            let at = edges.at(pixel[0], pixel[1]);
+            if at.cmplt(edges.inside).any() {
+                continue;
+            }
+            covered += 1;
+            let z = Vec3::from(depths);
+            let depth = depth_at(z, (at * edges.per_area).as_vec3());
+            let block = pixel.map(|place| place / SIDE * SIDE);
+            let [least, most] = Plane::new(&edges, z).bounds(block[0], block[1]);
+            assert!(least <= depth && depth <= most, "{corners:?}: {depth} is not within {least} and {most}");
+        }
+        assert!(covered > 1000, "{covered}");
+    }
+}

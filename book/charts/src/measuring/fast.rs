@@ -101,10 +101,7 @@ fn layers_chart(folder: &Path, name: &str, order: &str) -> anyhow::Result<Pictur
         unit: "ms",
         limit: None,
         lines,
-        caption: vec![
-            "Lesson 17, 1920×1080 px, one core, nearest texel.".into(),
-            caption(folder, name)?,
-        ],
+        caption: vec!["Lesson 17, 1920×1080 px, one core, nearest texel.".into(), caption(folder, name)?],
     };
     lines_in_each_layout(&chart)
 }
@@ -128,7 +125,8 @@ fn measure_threads(run: &mut Run) -> anyhow::Result<()> {
     for name in SCENES {
         let recipe = find(name).expect("it is one of the scenes");
         let scene = (recipe.make)();
-        let mut drawn = [1, 2].map(|threads| (method.drawer(scene.size.map(i32::from), 0, threads), scene.canvas()));
+        let mut drawn =
+            [1, 2].map(|threads| (method.drawer(scene.size.map(i32::from), 0, threads), scene.canvas()));
         let times = rounds(2, limits, |n| -> Result<Duration, Infallible> {
             let (draw, image) = &mut drawn[n];
             let start = Instant::now();
@@ -204,7 +202,10 @@ fn computing() -> Work {
     const TIMES: usize = 1 << 16;
     const CHAINS: usize = 12;
     let level = Level::new();
-    Work::new((TIMES * CHAINS * 8 * 2) as f64, move || dispatch!(level, simd => chains::<_, CHAINS>(simd, TIMES)))
+    Work::new(
+        (TIMES * CHAINS * 8 * 2) as f64,
+        move || dispatch!(level, simd => chains::<_, CHAINS>(simd, TIMES)),
+    )
 }
 
 #[inline(always)]
