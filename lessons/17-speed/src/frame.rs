@@ -125,15 +125,15 @@ impl Frame {
         // 3. Tiles.
         let background = tiles.background;
         let job = Job { shader, sorted: &sorted, plan, deferred: plan.deferred && shader.keeps_all() };
-        let draw = |(n, tile): (usize, &mut Tile)| {
-            if sorted.iter().any(|part| !part.by_tile[n].is_empty()) {
+        let draw = |tile: &mut Tile| {
+            if sorted.iter().any(|Sorted(by_tile)| !by_tile[tile.number].is_empty()) {
                 tile.open(background);
-                dispatch!(level, simd => job.tile(simd, n, tile));
+                dispatch!(level, simd => job.tile(simd, tile));
             }
         };
         match pool {
-            Some(pool) => pool.install(|| tiles.tiles.par_iter_mut().enumerate().for_each(draw)),
-            None => tiles.tiles.iter_mut().enumerate().for_each(draw),
+            Some(pool) => pool.install(|| tiles.tiles.par_iter_mut().for_each(draw)),
+            None => tiles.tiles.iter_mut().for_each(draw),
         }
         // ANCHOR_END: tiles
         *kept.of() = vertices;

@@ -17,16 +17,14 @@ use crate::frame::Shared;
 use crate::tile::Tiles;
 use crate::triangle::Ready;
 
-/// Some of a drawing's triangles, and for each tile the numbers of those that reach into it, in the order in which they are to
-/// be drawn. Memory is used again.
-pub(crate) struct Sorted<C, V> {
-    pub(crate) ready: Vec<Ready<C, V>>,
-    pub(crate) by_tile: Vec<Vec<u32>>,
-}
+/// Some of a drawing's triangles: for each tile those that reach into it, in the order in which they are to be drawn. They are
+/// kept there themselves, not by number: of a million in random places, each one's memory would have to be waited for. Memory is
+/// used again.
+pub(crate) struct Sorted<C, V>(pub(crate) Vec<Vec<Ready<C, V>>>);
 
 impl<C, V> Default for Sorted<C, V> {
     fn default() -> Self {
-        Self { ready: Vec::new(), by_tile: Vec::new() }
+        Self(Vec::new())
     }
 }
 
@@ -40,8 +38,7 @@ impl<C: Copy, V: Copy> Sorted<C, V> {
         triangles: impl Iterator<Item = (usize, [u32; 3])>,
         tiles: &Tiles,
     ) -> Counts {
-        let Self { ready, by_tile } = self;
-        ready.clear();
+        let Self(by_tile) = self;
         by_tile.resize_with(tiles.tiles.len(), Vec::new);
         by_tile.iter_mut().for_each(Vec::clear);
         stages.triangles(vertices, triangles, |constant, corners, varyings| {
@@ -50,12 +47,10 @@ impl<C: Copy, V: Copy> Sorted<C, V> {
             if bounds.max.cmplt(bounds.min).any() {
                 return;
             }
-            let number = ready.len() as u32;
-            ready.push(triangle);
             let Bounds { min, max } = tiles.touched(bounds);
             for y in min.y..=max.y {
                 for x in min.x..=max.x {
-                    by_tile[y as usize * tiles.across + x as usize].push(number);
+                    by_tile[y as usize * tiles.across + x as usize].push(triangle);
                 }
             }
         })
@@ -63,7 +58,7 @@ impl<C: Copy, V: Copy> Sorted<C, V> {
     // ANCHOR_END: sort
 }
 
-/// Bits of a triangle's number within its part; those above tell the part.
+/// Bits of a triangle's number among those of a part and a tile; the bits above tell the part.
 pub(crate) const BITS: u32 = 24;
 
 /// Splits so many triangles into parts: one for one thread, some more than threads else, so that none waits long for another,
