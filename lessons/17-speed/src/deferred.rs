@@ -5,8 +5,8 @@ use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 
 use crate::blocks::SIDE;
 use crate::eight::{Wide, mask};
-use crate::raster::from_least;
 use crate::render::{Job, shade};
+use crate::simd::from_least;
 use crate::tile::{NONE, Tile};
 
 // ANCHOR: see

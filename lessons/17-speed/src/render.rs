@@ -7,10 +7,10 @@ use crate::blocks::{Cover, SIDE, cover};
 use crate::deferred::{see, shade_block, spell_out};
 use crate::eight::{Eight, Wide, corners, mask};
 use crate::frame::Plan;
-use crate::hierarchy::Plane;
-use crate::raster::{Row, from_least};
-use crate::sort::{BITS, Sorted};
+use crate::hierarchical_depth::Plane;
+use crate::simd::{Row, from_least};
 use crate::tile::{NONE, Tile};
+use crate::tiles::{BITS, Sorted};
 use crate::triangle::{Edges, Ready};
 
 /// What all tiles of a drawing have in common.
@@ -32,14 +32,13 @@ impl<W: Wide> Job<'_, W> {
     /// A triangle of a tile, by its number there.
     #[inline(always)]
     pub(crate) fn triangle(&self, tile: &Tile, number: u32) -> &Ready<W::Constant, W::Varying> {
-        let Sorted(by_tile) = &self.sorted[(number >> BITS) as usize];
-        &by_tile[tile.number][(number & ((1 << BITS) - 1)) as usize]
+        &self.sorted[(number >> BITS) as usize].by_tile[tile.number][(number & ((1 << BITS) - 1)) as usize]
     }
 
     /// Draws the triangles that reach into a tile.
     #[inline(always)]
     pub(crate) fn tile<S: Simd>(&self, simd: S, tile: &mut Tile) {
-        for (part, Sorted(by_tile)) in self.sorted.iter().enumerate() {
+        for (part, Sorted { by_tile, .. }) in self.sorted.iter().enumerate() {
             for (number, triangle) in by_tile[tile.number].iter().enumerate() {
                 let Some(edges) = triangle.edges() else { continue };
                 let bounds = triangle.bounds(tile.bounds);

@@ -109,7 +109,7 @@ impl Tile {
 
 /// A picture in tiles.
 #[derive(Debug)]
-pub(crate) struct Tiles {
+pub(crate) struct Canvas {
     /// Its pixels.
     pub(crate) picture: Bounds,
     /// A tile's side in pixels.
@@ -120,7 +120,7 @@ pub(crate) struct Tiles {
     pub(crate) background: u32,
 }
 
-impl Tiles {
+impl Canvas {
     /// Of so many pixels, in tiles of a side that is a multiple of a block's.
     pub(crate) fn new([width, height]: [i32; 2], side: i32, is_deferred: bool) -> Self {
         let picture = Bounds { min: IVec2::ZERO, max: IVec2::new(width, height) - 1 };

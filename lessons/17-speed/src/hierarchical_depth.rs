@@ -8,11 +8,12 @@
 //! and d what the others have more, at least 0 like λ. Rounding is monotonic, so the sum in f32 is no less than n: that bound
 //! is exact. The second bound is the plane's least depth at the block's corners, in f64. Each dᵢ, λᵢ and dᵢλᵢ is off by at most
 //! 2⁻²⁴ of itself, two additions by 2⁻²⁴ each of at most the largest d, which makes 5·2⁻²⁴ of it, with terms below 2⁻⁴⁷; the
-//! last addition is off by 2⁻²⁴ of the depth, and so is the bound when it becomes an f32. Eight times 2⁻²⁴ of both is more than all
-//! that. In f64, numbers cancel that may be large, since a needle's edge functions are many times its area: fewer than 32 roundings
-//! by 2⁻⁵³ of the largest are less than 2⁻⁴⁸ of it. Below the least normal f32 a rounding is off by up to 2⁻¹⁵⁰, whatever the number;
-//! that least one covers these. A block's farthest depth is one of its pixels', or more where masked writes left it alone, since depths only become
-//! nearer; so what is rejected is no nearer than any pixel of the block, and the test of each would have failed.
+//! last addition is off by 2⁻²⁴ of the depth, and so is the bound when it becomes an f32. Eight times 2⁻²⁴ of the sum of both is
+//! more than that. In f64 large numbers may cancel, since a needle's edge functions are many times its area: fewer than 32
+//! roundings by 2⁻⁵³ of the largest are less than 2⁻⁴⁸ of it. Below the least normal f32 a rounding is off by up to 2⁻¹⁵⁰,
+//! however small the number is, and that least one is more than these. A block's farthest depth is one of its pixels', or more
+//! where masked writes left it alone, since depths only become nearer; so what is rejected is no nearer than any pixel of the
+//! block, and the test of each would have failed.
 
 use common::{DVec3, Vec3};
 
