@@ -68,30 +68,34 @@ impl Plane {
 
 #[cfg(test)]
 mod tests {
-    use common::{DVec2, Vec4};
+    use common::Vec4;
     use zbuffer::depth_at;
 
     use super::*;
     use crate::triangle::Ready;
 
-    /// Needles 1/256 px wide and up to far beyond the picture, on which the centre of a pixel lies: the largest numbers cancel.
+    /// Needles of hardly any area, up to the rim of a large picture, that cover the centre of a pixel: numbers that cancel
+    /// are as large as can be. The pixel is a corner of its block, where nothing else keeps the bound low.
     #[test]
     fn no_covered_pixel_is_beyond_the_bounds() {
         let mut state = 17_u64;
         let mut random = |below: u64| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) % below
+            ((state >> 33) % below) as i64
         };
         let mut covered = 0;
         for _ in 0..20_000 {
-            let pixel = [random(4096) as i32, random(4096) as i32];
-            let center = DVec2::from(pixel.map(f64::from)) + 0.5;
-            let step = DVec2::new(random(64) as f64 - 31.5, random(64) as f64 - 31.5) / 4.0;
-            let [there, back] = [random(8000) as f64, random(8000) as f64];
-            let (a, b) = (center + step * there, center - step * back);
-            let c = b + DVec2::new(0.0, 1.0 / 256.0);
+            let pixel = [0; 2].map(|_| (random(3800) * 8 + 7 * random(2)) as i32);
+            let [x, y] = pixel.map(|place| i64::from(place) * 256 + 128);
+            // In the middle of a side along (u, v), and from there far away a point next to its line.
+            let (u, v) = (random(40) - 20, random(40) - 20);
+            let near = (-40..40).flat_map(|s| (-40..40).map(move |t| [s, t]));
+            let Some([s, t]) = near.into_iter().find(|&[s, t]| u * t - v * s == 1) else { continue };
+            let far = random(1 << 18);
+            let [b, c] = [[x - u, y - v], [x + u, y + v]];
+            let a = [x + far * u + s, y + far * v + t];
             let depths = [0; 3].map(|_| random(1 << 20) as f32 / (1 << 20) as f32);
-            let corner = |at: DVec2, z: f32| Vec4::new(at.x as f32, at.y as f32, z, 1.0);
+            let corner = |[x, y]: [i64; 2], z: f32| Vec4::new(x as f32 / 256.0, y as f32 / 256.0, z, 1.0);
             let corners = [corner(a, depths[0]), corner(b, depths[1]), corner(c, depths[2])];
             let Some(edges) = Ready::new(corners, (), [(); 3]).and_then(|ready| ready.edges()) else {
                 continue;
