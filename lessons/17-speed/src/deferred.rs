@@ -9,6 +9,7 @@ use crate::render::{Job, shade};
 use crate::simd::from_least;
 use crate::tile::{NONE, Tile};
 
+// ANCHOR: see
 /// Notes that a triangle is seen in some of eight pixels.
 #[inline(always)]
 pub(crate) fn see<S: Simd>(
@@ -27,6 +28,7 @@ pub(crate) fn see<S: Simd>(
         lanes.select(weight, f32x8::from_slice(simd, kept)).store_slice(kept);
     }
 }
+// ANCHOR_END: see
 
 /// Writes down, pixel by pixel, the triangle that is seen in all of a block.
 #[inline(always)]

@@ -57,6 +57,7 @@ impl<S: Simd, C: Copy, V: Varying> Eight<'_, S, C, V> {
     }
 }
 
+// ANCHOR: corners
 /// What the three corners have, at each pixel those of the triangle that is seen there.
 #[inline(always)]
 pub(crate) fn corners<S: Simd, C, V>(
@@ -75,6 +76,7 @@ pub(crate) fn corners<S: Simd, C, V>(
     }
     all
 }
+// ANCHOR_END: corners
 
 /// A shader that can be asked for eight pixels at once.
 pub trait Wide: Shader<Output = Color> + Sync {

@@ -106,6 +106,7 @@ impl<W: Wide> Job<'_, W> {
         }
     }
 
+    // ANCHOR: large
     /// A wider one, block by block.
     #[inline(always)]
     fn large<S: Simd>(
@@ -161,7 +162,9 @@ impl<W: Wide> Job<'_, W> {
             }
         }
     }
+    // ANCHOR_END: large
 
+    // ANCHOR: eight
     /// Tests and draws those of eight pixels that are covered.
     #[inline(always)]
     fn eight<S: Simd>(
@@ -189,6 +192,7 @@ impl<W: Wide> Job<'_, W> {
         }
         mask(simd, drawn).select(depths, kept).store_slice(&mut tile.depths[place..place + 8]);
     }
+    // ANCHOR_END: eight
 }
 
 /// Shades those of eight pixels that are asked for; returns which have a colour.
