@@ -7,6 +7,7 @@ pub mod filters;
 pub mod frame;
 mod hierarchy;
 mod raster;
+pub mod sixteen;
 mod tile;
 mod triangle;
 

@@ -13,6 +13,8 @@ use filtering::scene::Filterable;
 use filtering::{MIPMAPS, Surface, WRAPS};
 use perspective::flags::CameraFlags;
 use perspective::view;
+use scene::{Simulation, Target, VERSIONS};
+use speed::sixteen::Sixteen;
 use speed::{Picture, Renderer};
 
 #[derive(clap::Args)]
@@ -39,6 +41,15 @@ struct Flags {
     #[arg(long, value_name = "N")]
     repeat: Option<usize>,
 
+    /// Draw a version of lesson 16's scene instead, 0 to 11
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=11))]
+    scene: Option<u8>,
+
+    /// Show it in a window; without --scene, version 11
+    #[cfg(feature = "window")]
+    #[arg(long)]
+    window: bool,
+
     #[command(flatten)]
     light: LightFlag,
     #[command(flatten)]
@@ -54,6 +65,50 @@ struct Scene {
     models: Vec<Filterable>,
     filter: usize,
     flags: Flags,
+}
+
+impl Scene {
+    /// Draws a version of lesson 16's scene.
+    fn draw_scene(&self, version: u8, method: &Renderer, picture: &mut Image) -> anyhow::Result<Extras> {
+        let mut simulation = simulation(version)?;
+        let [width, height] = [picture.width(), picture.height()].map(|side| side as u16);
+        let mut target = self.target(method, width, height)?;
+        let counts = simulation.draw(&mut target);
+        if let Some(times) = self.flags.repeat {
+            let mut took: Vec<f64> = (0..times)
+                .map(|_| {
+                    let start = Instant::now();
+                    simulation.draw(&mut target);
+                    start.elapsed().as_secs_f64() * 1e3
+                })
+                .collect();
+            took.sort_by(f64::total_cmp);
+            let at = |share: f64| took[((took.len() - 1) as f64 * share) as usize];
+            println!(
+                "median {:.2} ms (p25 {:.2}, p75 {:.2}, min {:.2})",
+                at(0.5),
+                at(0.25),
+                at(0.75),
+                at(0.0)
+            );
+        }
+        *picture = target.into_picture();
+        Ok(Extras { depth: None, left_out: counts.triangles.left_out })
+    }
+
+    /// What lesson 16's scene is drawn to, by lesson 16's own renderer or by this lesson's.
+    fn target(&self, method: &Renderer, width: u16, height: u16) -> anyhow::Result<Target> {
+        Ok(match method.plan {
+            None => Target::new(width, height),
+            Some(_) => Target::with(Box::new(Sixteen::new(self.flags.threads.unwrap_or(1))?), width, height),
+        })
+    }
+}
+
+/// A version of lesson 16's scene, its spheres as fine as their size asks for.
+fn simulation(version: u8) -> anyhow::Result<Simulation> {
+    let sizes = named(scene::METHODS, "spheres", "by-size")?;
+    Simulation::new(&VERSIONS[usize::from(version)], sizes)
 }
 
 impl Program for Scene {
@@ -77,6 +132,9 @@ impl Program for Scene {
 
     fn draw(&mut self, method: &Renderer, picture: &mut Image) -> anyhow::Result<Extras> {
         let flags = &self.flags;
+        if let Some(version) = flags.scene {
+            return self.draw_scene(version, method, picture);
+        }
         let size = picture.size();
         let to_clip = flags.camera.projection(size.x / size.y)? * flags.view.look(view)?;
         let light = flags.light.direction;
