@@ -6,6 +6,7 @@
 //! Of these three, only what a look needs is compared: a look without texture has no seams.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use common::{Attributes, Method, Model, Vec3};
 
@@ -66,6 +67,20 @@ impl Mesh {
     pub fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> + '_ {
         let triangles: Triangles = self.topology.triangles(&self.indices);
         self.faces.iter().map(|&face| face as usize).zip(triangles)
+    }
+
+    /// Those of the triangles that a range names, counted in that order. Only of a list can they be found without all before
+    /// them.
+    ///
+    /// # Panics
+    /// Where the range ends beyond the last.
+    #[inline]
+    pub fn some_triangles(&self, range: Range<usize>) -> impl Iterator<Item = (usize, [u32; 3])> + '_ {
+        let is_list = self.topology == Topology::List;
+        let indices = if is_list { &self.indices[3 * range.start..] } else { &self.indices[..] };
+        let before = if is_list { 0 } else { range.start };
+        let triangles = self.topology.triangles(indices).skip(before);
+        self.faces[range].iter().map(|&face| face as usize).zip(triangles)
     }
 }
 

@@ -13,7 +13,7 @@ use shaders::target::Target;
 use crate::clip::{ClipVertex, MOST_CORNERS, Polygon, clip};
 use crate::facing::{Cull, area, facing};
 use crate::homogeneous;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Vertex};
 use crate::plane::{NEAR, PLANES, guard_band, outcode, outside};
 
 /// What is done with triangles that are not wholly in the picture.
@@ -78,7 +78,8 @@ impl<V> Vertices<V> {
 }
 
 /// A vertex once it is computed.
-struct Computed<V> {
+#[derive(Clone, Copy)]
+pub struct Computed<V> {
     clip: ClipVertex<V>,
     /// Its place in the window, if it has one.
     window: Option<Vec4>,
@@ -104,8 +105,9 @@ pub fn render<S: Shader + ?Sized>(
     let bounds = target.bounds();
     let size = (bounds.max + 1).as_vec2();
     if clipping == Clipping::Homogeneous {
-        let vertices = &mut Vertices::default();
-        return seen(vertices, shader, mesh, cull, (u8::MAX, &[]), size, |counts, constant, corners| {
+        let stages = Stages::new(shader, cull, clipping, size);
+        let vertices: Vec<_> = mesh.vertices.iter().map(|vertex| stages.vertex(vertex)).collect();
+        return stages.seen(&vertices, mesh.triangles(), |counts, constant, corners| {
             let corners = corners.map(|corner| corner.clip);
             homogeneous::fill(corners, bounds, Fragments::new(shader, constant, target));
             counts.filled += 1;
@@ -125,7 +127,6 @@ pub fn render<S: Shader + ?Sized>(
 ///
 /// # Panics
 /// As [`render`].
-// ANCHOR: triangles
 #[inline]
 pub fn triangles<S: Shader + ?Sized>(
     shader: &S,
@@ -150,76 +151,114 @@ pub fn triangles_with<S: Shader + ?Sized>(
     cull: Cull,
     clipping: Clipping,
     size: Vec2,
-    mut fill: impl FnMut(S::Constant, [Vec4; 3], [S::Varying; 3]),
+    fill: impl FnMut(S::Constant, [Vec4; 3], [S::Varying; 3]),
 ) -> Counts {
-    let band = guard_band(size);
-    let (rejects, cuts): (u8, &[Vec4]) = match clipping {
-        Clipping::LeaveOut => (0, &[]),
-        Clipping::Near => (NEAR, &PLANES[..1]),
-        Clipping::SixPlanes => (u8::MAX, &PLANES),
-        Clipping::GuardBand => (u8::MAX, &band),
-        Clipping::Homogeneous => (u8::MAX, &[]),
-    };
-    seen(vertices, shader, mesh, cull, (rejects, cuts), size, |counts, constant, corners| {
-        // 3. The cut, where one is needed.
-        let needed = corners.iter().fold(0, |needed, corner| needed | corner.beyond);
-        if needed != 0 {
-            counts.cut += 1;
-            let polygon = clip_by(corners.map(|corner| corner.clip), cuts, needed);
-            let filled = fill_polygon(&polygon, size, |corners, varyings| fill(constant, corners, varyings));
-            counts.filled += filled.unwrap_or(0);
-            counts.left_out += usize::from(filled.is_none());
-            return;
-        }
-        // 4. The pixels.
-        let [Some(a), Some(b), Some(c)] = corners.map(|corner| corner.window) else {
-            counts.left_out += 1;
-            return;
-        };
-        fill(constant, [a, b, c], corners.map(|corner| corner.clip.varying));
-        counts.filled += 1;
-    })
-}
-// ANCHOR_END: triangles
-
-/// Calls `visit(counts, constant, corners)` for each triangle that may be seen, wherever its corners are. What is wholly
-/// outside of a plane whose bit is in `rejects` is left out; `cuts` are the planes that are to cut.
-// ANCHOR: seen
-#[inline]
-fn seen<S: Shader + ?Sized>(
-    Vertices(vertices): &mut Vertices<S::Varying>,
-    shader: &S,
-    mesh: &Mesh,
-    cull: Cull,
-    (rejects, cuts): (u8, &[Vec4]),
-    size: Vec2,
-    mut visit: impl FnMut(&mut Counts, S::Constant, [&Computed<S::Varying>; 3]),
-) -> Counts {
-    // 1. The vertices, each once.
-    let computed = mesh.vertices.iter().map(|vertex| {
-        let position = shader.position(vertex.position as usize);
-        let varying = shader.corner(vertex.face as usize, vertex.corner as usize);
-        let outside = outside(position) & rejects;
-        let beyond = if outside == 0 { 0 } else { outcode(cuts, position) };
-        Computed { clip: ClipVertex { position, varying }, window: window(position, size), outside, beyond }
-    });
+    let Vertices(vertices) = vertices;
+    let stages = Stages::new(shader, cull, clipping, size);
     vertices.clear();
-    vertices.extend(computed);
-    let mut counts = Counts { vertices: vertices.len(), ..Counts::default() };
-    for (face, triangle) in mesh.triangles() {
-        // 2. What is wholly outside of a plane, or shows the wrong side.
-        let corners = triangle.map(|vertex| &vertices[vertex as usize]);
-        if corners.iter().fold(u8::MAX, |all, corner| all & corner.outside) != 0 {
-            counts.outside += 1;
-        } else if cull.leaves_out(facing(corners.map(|corner| corner.clip.position))) {
-            counts.culled += 1;
-        } else if let Some(constant) = shader.triangle(face) {
-            visit(&mut counts, constant, corners);
-        }
-    }
-    counts
+    vertices.extend(mesh.vertices.iter().map(|vertex| stages.vertex(vertex)));
+    stages.triangles(vertices, mesh.triangles(), fill)
 }
-// ANCHOR_END: seen
+
+/// The two steps before the pixels, for whoever does them in parts: each vertex by itself, then triangles, once all their
+/// vertices are computed.
+pub struct Stages<'a, S: ?Sized> {
+    shader: &'a S,
+    cull: Cull,
+    size: Vec2,
+    /// The planes of the picture outside of which a triangle is left out, a bit each.
+    rejects: u8,
+    /// The planes that cut, the first so many of these.
+    cuts: [Vec4; 6],
+    cut_count: usize,
+}
+
+impl<'a, S: Shader + ?Sized> Stages<'a, S> {
+    /// Of a drawing into a picture of that size.
+    #[must_use]
+    pub fn new(shader: &'a S, cull: Cull, clipping: Clipping, size: Vec2) -> Self {
+        let (rejects, cuts, cut_count) = match clipping {
+            Clipping::LeaveOut => (0, PLANES, 0),
+            Clipping::Near => (NEAR, PLANES, 1),
+            Clipping::SixPlanes => (u8::MAX, PLANES, 6),
+            Clipping::GuardBand => (u8::MAX, guard_band(size), 6),
+            Clipping::Homogeneous => (u8::MAX, PLANES, 0),
+        };
+        Self { shader, cull, size, rejects, cuts, cut_count }
+    }
+
+    fn cuts(&self) -> &[Vec4] {
+        &self.cuts[..self.cut_count]
+    }
+
+    // ANCHOR: seen
+    /// 1. A vertex.
+    #[inline]
+    pub fn vertex(&self, vertex: &Vertex) -> Computed<S::Varying> {
+        let position = self.shader.position(vertex.position as usize);
+        let varying = self.shader.corner(vertex.face as usize, vertex.corner as usize);
+        let outside = outside(position) & self.rejects;
+        let beyond = if outside == 0 { 0 } else { outcode(self.cuts(), position) };
+        Computed { clip: ClipVertex { position, varying }, window: window(position, self.size), outside, beyond }
+    }
+
+    /// Calls `visit(counts, constant, corners)` for each triangle that may be seen, wherever its corners are. What is wholly
+    /// outside of a plane is left out.
+    #[inline]
+    fn seen(
+        &self,
+        vertices: &[Computed<S::Varying>],
+        triangles: impl Iterator<Item = (usize, [u32; 3])>,
+        mut visit: impl FnMut(&mut Counts, S::Constant, [&Computed<S::Varying>; 3]),
+    ) -> Counts {
+        let mut counts = Counts { vertices: vertices.len(), ..Counts::default() };
+        for (face, triangle) in triangles {
+            // 2. What is wholly outside of a plane, or shows the wrong side.
+            let corners = triangle.map(|vertex| &vertices[vertex as usize]);
+            if corners.iter().fold(u8::MAX, |all, corner| all & corner.outside) != 0 {
+                counts.outside += 1;
+            } else if self.cull.leaves_out(facing(corners.map(|corner| corner.clip.position))) {
+                counts.culled += 1;
+            } else if let Some(constant) = self.shader.triangle(face) {
+                visit(&mut counts, constant, corners);
+            }
+        }
+        counts
+    }
+    // ANCHOR_END: seen
+
+    // ANCHOR: stages
+    /// The triangles: calls `fill(constant, corners, varyings)` as [`triangles`] does.
+    #[inline]
+    pub fn triangles(
+        &self,
+        vertices: &[Computed<S::Varying>],
+        triangles: impl Iterator<Item = (usize, [u32; 3])>,
+        mut fill: impl FnMut(S::Constant, [Vec4; 3], [S::Varying; 3]),
+    ) -> Counts {
+        self.seen(vertices, triangles, |counts, constant, corners| {
+            // 3. The cut, where one is needed.
+            let needed = corners.iter().fold(0, |needed, corner| needed | corner.beyond);
+            if needed != 0 {
+                counts.cut += 1;
+                let polygon = clip_by(corners.map(|corner| corner.clip), self.cuts(), needed);
+                let filled =
+                    fill_polygon(&polygon, self.size, |corners, varyings| fill(constant, corners, varyings));
+                counts.filled += filled.unwrap_or(0);
+                counts.left_out += usize::from(filled.is_none());
+                return;
+            }
+            // 4. The pixels.
+            let [Some(a), Some(b), Some(c)] = corners.map(|corner| corner.window) else {
+                counts.left_out += 1;
+                return;
+            };
+            fill(constant, [a, b, c], corners.map(|corner| corner.clip.varying));
+            counts.filled += 1;
+        })
+    }
+    // ANCHOR_END: stages
+}
 
 /// What of a triangle is inside of those planes whose bits are set.
 // ANCHOR: clip_by

@@ -196,6 +196,7 @@ impl Renderer for Loops {
     }
 }
 
+// ANCHOR: draw
 fn draw<C: Canvas<Stencil = ()>>(
     frame: &Frame,
     lamps: &Lamps,
@@ -213,6 +214,7 @@ fn draw<C: Canvas<Stencil = ()>>(
     canvas.resolve(resolve, picture);
     counts
 }
+// ANCHOR_END: draw
 
 /// Makes room for an entity's vertices, of what its paint and its shading interpolate, in the finest of its levels: a frame in
 /// which it comes nearer, or into the picture, allocates nothing.

@@ -1,48 +1,111 @@
 //! Deferred: what is seen is found first, and shaded once.
 
-use fearless_simd::{Simd, f32x8, mask32x8, prelude::*, u32x8};
+use common::IVec2;
+use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 
-use crate::eight::Wide;
-use crate::frame::shade;
-use crate::raster::{Group, spread, weights};
+use crate::blocks::SIDE;
+use crate::eight::{Wide, mask};
+use crate::raster::from_least;
+use crate::render::{Job, shade};
 use crate::tile::{NONE, Tile};
-use crate::triangle::Ready;
 
-/// Notes that a triangle is seen in those of eight pixels.
+/// Notes that a triangle is seen in some of eight pixels.
 #[inline(always)]
-pub(crate) fn see<S: Simd>(simd: S, lanes: mask32x8<S>, number: u32, seen: &mut [u32]) {
-    let kept = u32x8::from_slice(simd, seen);
-    lanes.select(u32x8::splat(simd, number), kept).store_slice(seen);
+pub(crate) fn see<S: Simd>(
+    simd: S,
+    tile: &mut Tile,
+    place: usize,
+    lanes: u8,
+    number: u32,
+    weights: [f32x8<S>; 3],
+) {
+    let lanes = mask(simd, lanes);
+    let seen = &mut tile.seen[place..place + 8];
+    lanes.select(u32x8::splat(simd, number), u32x8::from_slice(simd, seen)).store_slice(seen);
+    for n in 0..3 {
+        let kept = &mut tile.weights[n][place..place + 8];
+        lanes.select(weights[n], f32x8::from_slice(simd, kept)).store_slice(kept);
+    }
 }
 
-/// Shades what is seen in a tile, and forgets it.
+/// Writes down, pixel by pixel, the triangle that is seen in all of a block.
 #[inline(always)]
-pub(crate) fn shade_seen<S: Simd, W: Wide>(
+pub(crate) fn spell_out<S: Simd, W: Wide>(
     simd: S,
-    shader: &W,
-    ready: &[Ready<W::Constant, W::Varying>],
+    job: &Job<W>,
+    corner: IVec2,
+    block: usize,
     tile: &mut Tile,
 ) {
-    let (min, stride) = (tile.bounds.min, tile.stride);
-    for place in (0..tile.seen.len()).step_by(8) {
-        let numbers = u32x8::from_slice(simd, &tile.seen[place..place + 8]);
-        let none = u32x8::splat(simd, NONE);
-        let mut left = !numbers.simd_eq(none).to_bitmask() as u8;
-        if left == 0 {
+    let number = tile.blocks[block].whole;
+    tile.blocks[block].whole = NONE;
+    let triangle = job.triangle(number);
+    let Some(edges) = triangle.edges() else { return };
+    let mut row = edges.row(simd, corner.x, corner.y);
+    for y in corner.y..corner.y + SIDE {
+        let place = tile.place(corner.x, y);
+        let weights = row.weights(simd, edges.per_area);
+        from_least(simd, triangle.z, weights).store_slice(&mut tile.depths[place..place + 8]);
+        see(simd, tile, place, u8::MAX, number, weights);
+        row.step(edges.up);
+    }
+}
+
+/// Shades what is seen in a block.
+#[inline(always)]
+pub(crate) fn shade_block<S: Simd, W: Wide>(
+    simd: S,
+    job: &Job<W>,
+    corner: IVec2,
+    block: usize,
+    tile: &mut Tile,
+) {
+    tile.blocks[block].is_seen = false;
+    let whole = tile.blocks[block].whole;
+    if whole != NONE {
+        tile.blocks[block].whole = NONE;
+        let triangle = job.triangle(whole);
+        let Some(edges) = triangle.edges() else { return };
+        let mut row = edges.row(simd, corner.x, corner.y);
+        for y in corner.y..corner.y + SIDE {
+            let place = tile.place(corner.x, y);
+            let weights = row.weights(simd, edges.per_area);
+            let depths = from_least(simd, triangle.z, weights);
+            depths.store_slice(&mut tile.depths[place..place + 8]);
+            let colors = &mut tile.colors[place..place + 8];
+            shade(simd, job.shader, &[(u8::MAX, triangle)], [corner.x, y], weights, depths, u8::MAX, colors);
+            row.step(edges.up);
+        }
+        return;
+    }
+    for y in corner.y..corner.y + SIDE {
+        let place = tile.place(corner.x, y);
+        let seen = &mut tile.seen[place..place + 8];
+        let numbers = u32x8::from_slice(simd, seen);
+        u32x8::splat(simd, NONE).store_slice(seen);
+        let asked = numbers.simd_ne(NONE).to_bitmask() as u8;
+        if asked == 0 {
             continue;
         }
-        none.store_slice(&mut tile.seen[place..place + 8]);
-        let (x, y) = (min.x + (place % stride) as i32, min.y + (place / stride) as i32);
-        let depths = f32x8::from_slice(simd, &tile.depths[place..place + 8]);
+        let mut left = asked;
+        let number = numbers.as_slice()[left.trailing_zeros() as usize];
+        let mut parts = [(0, job.triangle(number)); 8];
+        let mut count = 0;
         while left != 0 {
             let number = numbers.as_slice()[left.trailing_zeros() as usize];
-            let same = left & numbers.simd_eq(u32x8::splat(simd, number)).to_bitmask() as u8;
+            let same = numbers.simd_eq(number).to_bitmask() as u8;
+            parts[count] = (same, job.triangle(number));
+            count += 1;
             left &= !same;
-            let triangle = &ready[number as usize];
-            let Some(edges) = triangle.edges() else { continue };
-            let here = spread(simd, edges.at(x, y), edges.right);
-            let group = Group { x, y, covered: same, weights: weights(simd, here, edges.per_area) };
-            shade(simd, shader, triangle, group, depths, same, &mut tile.colors[place..place + 8]);
         }
+        let [a, b, c] = &tile.weights;
+        let weights = [
+            f32x8::from_slice(simd, &a[place..place + 8]),
+            f32x8::from_slice(simd, &b[place..place + 8]),
+            f32x8::from_slice(simd, &c[place..place + 8]),
+        ];
+        let depths = f32x8::from_slice(simd, &tile.depths[place..place + 8]);
+        let colors = &mut tile.colors[place..place + 8];
+        shade(simd, job.shader, &parts[..count], [corner.x, y], weights, depths, asked, colors);
     }
 }

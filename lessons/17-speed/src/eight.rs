@@ -1,12 +1,13 @@
 //! Eight pixels of a row at once, and shaders for them.
 
-use common::{Color, Vec3};
-use fearless_simd::{Simd, f32x8, f64x8, prelude::*};
+use common::{Color, Vec3, Vec4};
+use fearless_simd::{Simd, f32x8, f64x8, mask32x8, prelude::*, u32x8};
 use shaders::shader::{Fragment, Shader, Varying};
 
-/// What a triangle is at eight pixels beside each other.
-#[derive(Clone, Copy)]
-pub struct Eight<S: Simd> {
+use crate::triangle::Ready;
+
+/// Eight pixels beside each other, and the triangles that are seen in them: mostly one.
+pub struct Eight<'a, S: Simd, C, V> {
     /// The column of the first.
     pub x: i32,
     /// Their row.
@@ -17,39 +18,68 @@ pub struct Eight<S: Simd> {
     pub depths: f32x8<S>,
     /// The weights of the three corners, on the triangle in space.
     pub weights: [f32x8<S>; 3],
+    pub(crate) parts: &'a [(u8, &'a Ready<C, V>)],
 }
 
-impl<S: Simd> Eight<S> {
-    /// A corner's numbers, interpolated, as [`Varying::interpolate`] does it.
+impl<S: Simd, C: Copy, V: Varying> Eight<'_, S, C, V> {
+    /// A number that corners have, interpolated as [`Varying::interpolate`] does it.
     #[inline(always)]
-    pub fn interpolate(&self, [a, b, c]: [f32; 3]) -> f32x8<S> {
+    pub fn interpolate(&self, simd: S, number: impl Fn(&V) -> f32) -> f32x8<S> {
+        let [a, b, c] = corners(simd, self.parts, |triangle| {
+            [number(&triangle.varyings[0]), number(&triangle.varyings[1]), number(&triangle.varyings[2])]
+        });
         let [x, y, z] = self.weights;
-        x * a + y * b + z * c
+        a * x + b * y + c * z
+    }
+
+    /// What is the same all over the triangle that is seen in one of them.
+    #[inline(always)]
+    pub fn constant(&self, lane: usize) -> &C {
+        &self.triangle(lane).constant
+    }
+
+    #[inline(always)]
+    fn triangle(&self, lane: usize) -> &Ready<C, V> {
+        let part = self.parts.iter().find(|(lanes, _)| lanes >> lane & 1 == 1);
+        part.unwrap_or(&self.parts[0]).1
     }
 
     /// One of them as a fragment.
     #[inline(always)]
-    pub fn fragment<V: Varying>(&self, lane: usize, varyings: [V; 3]) -> Fragment<V> {
+    pub fn fragment(&self, lane: usize) -> Fragment<V> {
         let [x, y, z] = &self.weights;
         let weights = Vec3::new(x.as_slice()[lane], y.as_slice()[lane], z.as_slice()[lane]);
-        let varying = V::interpolate(varyings, weights);
+        let varying = V::interpolate(self.triangle(lane).varyings, weights);
         Fragment { x: self.x + lane as i32, y: self.y, depth: self.depths.as_slice()[lane], varying }
     }
 }
 
+/// What the three corners have, at each pixel those of the triangle that is seen there.
+#[inline(always)]
+pub(crate) fn corners<S: Simd, C, V>(
+    simd: S,
+    parts: &[(u8, &Ready<C, V>)],
+    numbers: impl Fn(&Ready<C, V>) -> [f32; 3],
+) -> [f32x8<S>; 3] {
+    let [a, b, c] = numbers(parts[0].1);
+    let mut all = [f32x8::splat(simd, a), f32x8::splat(simd, b), f32x8::splat(simd, c)];
+    for &(lanes, triangle) in &parts[1..] {
+        let lanes = mask(simd, lanes);
+        let [a, b, c] = numbers(triangle);
+        all[0] = lanes.select(f32x8::splat(simd, a), all[0]);
+        all[1] = lanes.select(f32x8::splat(simd, b), all[1]);
+        all[2] = lanes.select(f32x8::splat(simd, c), all[2]);
+    }
+    all
+}
+
 /// A shader that can be asked for eight pixels at once.
-pub trait Wide: Shader<Output = Color> {
+pub trait Wide: Shader<Output = Color> + Sync {
     /// Whether it gives each fragment a colour.
     fn keeps_all(&self) -> bool;
 
-    /// The colours of the pixels asked for, and which of these have one, a bit each.
-    fn shade<S: Simd>(
-        &self,
-        simd: S,
-        constant: Self::Constant,
-        varyings: [Self::Varying; 3],
-        eight: &Eight<S>,
-    ) -> ([u32; 8], u8);
+    /// The colours of the pixels asked for, their four bytes as they stand in a picture, and which have one, a bit each.
+    fn shade<S: Simd>(&self, simd: S, eight: &Eight<S, Self::Constant, Self::Varying>) -> (u32x8<S>, u8);
 }
 
 /// Any shader, asked pixel by pixel.
@@ -61,19 +91,67 @@ pub struct EachPixel<T> {
     pub keeps_all: bool,
 }
 
+impl<T: Shader<Output = Color>> Shader for EachPixel<T> {
+    type Constant = T::Constant;
+    type Varying = T::Varying;
+    type Output = Color;
+
+    #[inline]
+    fn position(&self, vertex: usize) -> Vec4 {
+        self.shader.position(vertex)
+    }
+
+    #[inline]
+    fn triangle(&self, face: usize) -> Option<T::Constant> {
+        self.shader.triangle(face)
+    }
+
+    #[inline]
+    fn corner(&self, face: usize, corner: usize) -> T::Varying {
+        self.shader.corner(face, corner)
+    }
+
+    #[inline(always)]
+    fn fragment(&self, constant: T::Constant, fragment: Fragment<T::Varying>) -> Option<Color> {
+        self.shader.fragment(constant, fragment)
+    }
+}
+
+impl<T: Shader<Output = Color> + Sync> Wide for EachPixel<T> {
+    fn keeps_all(&self) -> bool {
+        self.keeps_all
+    }
+
+    #[inline(always)]
+    fn shade<S: Simd>(&self, simd: S, eight: &Eight<S, T::Constant, T::Varying>) -> (u32x8<S>, u8) {
+        let (mut colors, mut kept) = ([0; 8], 0);
+        for lane in lanes(eight.asked) {
+            if let Some(color) = self.shader.fragment(*eight.constant(lane), eight.fragment(lane)) {
+                colors[lane] = packed(color);
+                kept |= 1 << lane;
+            }
+        }
+        (u32x8::load_array(simd, colors), kept)
+    }
+}
+
 /// A colour's four bytes, as they stand in a picture.
 #[inline(always)]
-pub(crate) fn packed(Color { r, g, b, a }: Color) -> u32 {
+#[must_use]
+pub fn packed(Color { r, g, b, a }: Color) -> u32 {
     u32::from_le_bytes([r, g, b, a])
 }
 
-/// Calls `visit` with the number of each bit that is set.
+/// The numbers of the bits that are set.
 #[inline(always)]
-pub(crate) fn each(mut bits: u8, mut visit: impl FnMut(usize)) {
-    while bits != 0 {
-        visit(bits.trailing_zeros() as usize);
-        bits &= bits - 1;
-    }
+pub(crate) fn lanes(bits: u8) -> impl Iterator<Item = usize> {
+    (0..8).filter(move |lane| bits >> lane & 1 == 1)
+}
+
+/// A mask of lanes from bits.
+#[inline(always)]
+pub(crate) fn mask<S: Simd>(simd: S, bits: u8) -> mask32x8<S> {
+    mask32x8::from_bitmask(simd, bits.into())
 }
 
 /// Eight f64 as f32, rounded to nearest.

@@ -12,16 +12,13 @@
 //! here. A block's farthest depth is one of its pixels', or more where masked writes left it alone, since depths only become
 //! nearer; so what is rejected is no nearer than any pixel of the block, and the test of each would have failed.
 
-use common::DVec3;
-use fearless_simd::{Simd, f32x8, prelude::*};
+use common::{DVec3, Vec3};
 
 use crate::blocks::SIDE;
-use crate::raster::Depths;
-use crate::tile::Tile;
 use crate::triangle::Edges;
 
 /// A triangle's depth as a linear function of a pixel's column and row.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane {
     origin: f64,
     right: f64,
@@ -33,12 +30,12 @@ pub(crate) struct Plane {
 
 impl Plane {
     #[inline(always)]
-    pub(crate) fn new(edges: &Edges, depths: &Depths) -> Self {
-        let more = DVec3::from_array(depths.more.map(f64::from));
-        let per_edge = more * edges.per_area;
-        let nearest = f64::from(depths.nearest);
-        let span = more.max_element();
+    pub(crate) fn new(edges: &Edges, z: Vec3) -> Self {
+        let nearest = z.min_element();
+        let more = (z - nearest).as_dvec3();
+        let (nearest, span) = (f64::from(nearest), more.max_element());
         let margin = (nearest.abs() + 2.0 * span) * (8.0 / (1 << 24) as f64);
+        let per_edge: DVec3 = more * edges.per_area;
         Self {
             origin: nearest + per_edge.dot(edges.origin),
             right: per_edge.dot(edges.right),
@@ -49,7 +46,7 @@ impl Plane {
         }
     }
 
-    /// No pixel of the block at (x, y) is nearer than the first of these, or farther than the second.
+    /// No pixel of the block at (x, y) that the triangle covers is nearer than the first of these, or farther than the second.
     #[inline(always)]
     pub(crate) fn bounds(&self, x: i32, y: i32) -> [f32; 2] {
         const LAST: f64 = (SIDE - 1) as f64;
@@ -58,15 +55,4 @@ impl Plane {
         let most = corner + (self.right.max(0.0) + self.up.max(0.0)) * LAST + self.margin;
         [least.max(self.nearest) as f32, most.min(self.farthest) as f32]
     }
-}
-
-/// The farthest depth of the block whose lower left pixel is at that place in a tile.
-#[inline(always)]
-pub(crate) fn farthest<S: Simd>(simd: S, tile: &Tile, place: usize) -> f32 {
-    let row = |n: usize| {
-        let start = place + n * tile.stride;
-        f32x8::from_slice(simd, &tile.depths[start..start + SIDE as usize])
-    };
-    let most = (1..SIDE as usize).fold(row(0), |most, n| most.max(row(n)));
-    most.as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max)
 }

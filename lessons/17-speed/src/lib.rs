@@ -7,7 +7,9 @@ pub mod filters;
 pub mod frame;
 mod hierarchy;
 mod raster;
+mod render;
 pub mod sixteen;
+mod sort;
 mod tile;
 mod triangle;
 
@@ -119,8 +121,8 @@ fn blocks<F: WideFilter>() -> Drawer {
     })
 }
 
-fn tiled<F: WideFilter>(plan: Option<Plan>, [width, height]: [i32; 2]) -> Drawer {
-    let mut frame = Frame::new(width, height, plan.unwrap_or(SIMD));
+fn tiled<F: WideFilter>(plan: Option<Plan>, size: [i32; 2]) -> Drawer {
+    let mut frame = Frame::new(size, plan.unwrap_or(SIMD));
     Box::new(move |picture, image| {
         frame.clear(Color { a: 0, ..Color::BLACK });
         let mut counts = Counts::default();

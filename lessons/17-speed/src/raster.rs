@@ -6,102 +6,60 @@
 //! **What it costs:** of eight lanes, those outside of a triangle work for nothing, which is most of them where triangles are
 //! small. And code must be written for lanes: what one pixel decides by `if` is computed for all and selected.
 
-use common::{Bounds, DVec3};
-use fearless_simd::{Simd, f32x8, f64x8, mask32x8, prelude::*};
+use common::{DVec3, Vec3};
+use fearless_simd::{Simd, f32x8, f64x8, prelude::*};
 
-use crate::blocks::{Cover, SIDE, cover};
 use crate::eight::narrow;
-use crate::triangle::{Edges, Ready};
+use crate::triangle::Edges;
 
-/// How deep a triangle is, as lesson 4 computes it: from the nearest corner on, by what the others are more.
+/// The edge functions at eight pixels of a row.
 #[derive(Clone, Copy)]
-pub(crate) struct Depths {
-    pub(crate) nearest: f32,
-    pub(crate) more: [f32; 3],
-}
+pub(crate) struct Row<S: Simd>([f64x8<S>; 3]);
 
-/// Eight pixels of a row that may be covered.
-#[derive(Clone, Copy)]
-pub(crate) struct Group<S: Simd> {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    /// Those that are covered.
-    pub(crate) covered: u8,
-    /// The weights of the corners in the picture.
-    pub(crate) weights: [f32x8<S>; 3],
-}
-
-impl Depths {
+// Array's own `map` would be compiled without the instructions that these functions are made of.
+impl<S: Simd> Row<S> {
+    /// From those at the first pixel.
     #[inline(always)]
-    pub(crate) fn new<C, V>(ready: &Ready<C, V>) -> Self {
-        let nearest = ready.z.min_element();
-        Self { nearest, more: (ready.z - nearest).to_array() }
+    pub(crate) fn new(simd: S, first: DVec3, right: DVec3) -> Self {
+        let lanes = f64x8::load_array(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+        Self([lanes * right.x + first.x, lanes * right.y + first.y, lanes * right.z + first.z])
     }
 
-    /// At eight pixels.
+    /// One row up.
     #[inline(always)]
-    pub(crate) fn at<S: Simd>(&self, simd: S, [x, y, z]: [f32x8<S>; 3]) -> f32x8<S> {
-        let [a, b, c] = self.more;
-        f32x8::splat(simd, self.nearest) + (x * a + y * b + z * c)
+    pub(crate) fn step(&mut self, up: DVec3) {
+        let [a, b, c] = self.0;
+        self.0 = [a + up.x, b + up.y, c + up.z];
+    }
+
+    /// Which of the pixels are inside of all three sides, a bit each.
+    #[inline(always)]
+    pub(crate) fn covered(&self, inside: DVec3) -> u8 {
+        let [a, b, c] = self.0;
+        (a.simd_ge(inside.x) & b.simd_ge(inside.y) & c.simd_ge(inside.z)).to_bitmask() as u8
+    }
+
+    /// The corners' weights in the picture.
+    #[inline(always)]
+    pub(crate) fn weights(&self, simd: S, per_area: f64) -> [f32x8<S>; 3] {
+        let [a, b, c] = self.0;
+        [narrow(simd, a * per_area), narrow(simd, b * per_area), narrow(simd, c * per_area)]
     }
 }
 
-/// The weights in the picture at eight pixels, from the edge functions there.
+/// Numbers that corners have, at eight pixels, from the weights there: measured from the least of them, as lesson 4's
+/// `depth_at` has it.
 #[inline(always)]
-pub(crate) fn weights<S: Simd>(simd: S, edges: [f64x8<S>; 3], per_area: f64) -> [f32x8<S>; 3] {
-    edges.map(|edge| narrow(simd, edge * per_area))
+pub(crate) fn from_least<S: Simd>(simd: S, corners: Vec3, [x, y, z]: [f32x8<S>; 3]) -> f32x8<S> {
+    let least = corners.min_element();
+    let more = corners - least;
+    f32x8::splat(simd, least) + (x * more.x + y * more.y + z * more.z)
 }
 
-/// The edge functions at eight pixels, from those at the first.
-#[inline(always)]
-pub(crate) fn spread<S: Simd>(simd: S, first: DVec3, right: DVec3) -> [f64x8<S>; 3] {
-    let lanes = f64x8::from_slice(simd, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
-    [0, 1, 2].map(|side| lanes * right[side] + first[side])
-}
-
-/// Goes through the pixels of a tile that a triangle covers. `wants` is asked once a block, with its lower left pixel and how
-/// much of it is covered; `visit` gets eight pixels of a row, of which at least one is covered.
-#[inline(always)]
-pub(crate) fn raster<S: Simd>(
-    simd: S,
-    edges: &Edges,
-    Bounds { min, max }: Bounds,
-    tile: Bounds,
-    mut wants: impl FnMut(i32, i32, Cover) -> bool,
-    mut visit: impl FnMut(Group<S>),
-) {
-    // The first pixel of a block: blocks are counted from the tile's corner.
-    let first = tile.min + ((min - tile.min) & !(SIDE - 1));
-    let up = edges.up;
-    for block_y in (first.y..=max.y).step_by(SIDE as usize) {
-        let (low, high) = (block_y.max(min.y), max.y.min(block_y + SIDE - 1));
-        for x in (first.x..=max.x).step_by(SIDE as usize) {
-            let start = edges.at(x, block_y);
-            let cover = cover(start, edges.right, up, edges.inside);
-            if cover == Cover::Nothing || !wants(x, block_y, cover) {
-                continue;
-            }
-            let mut here = spread(simd, start + up * f64::from(low - block_y), edges.right);
-            for y in low..=high {
-                let covered = if cover == Cover::Whole { u8::MAX } else { covered(here, edges.inside) };
-                if covered != 0 {
-                    visit(Group { x, y, covered, weights: weights(simd, here, edges.per_area) });
-                }
-                here = [here[0] + up.x, here[1] + up.y, here[2] + up.z];
-            }
-        }
+impl Edges {
+    /// The rows' edge functions from the pixel (x, y) on.
+    #[inline(always)]
+    pub(crate) fn row<S: Simd>(&self, simd: S, x: i32, y: i32) -> Row<S> {
+        Row::new(simd, self.at(x, y), self.right)
     }
-}
-
-/// Which of eight pixels are inside of all three sides.
-#[inline(always)]
-fn covered<S: Simd>([a, b, c]: [f64x8<S>; 3], inside: DVec3) -> u8 {
-    let all = a.simd_ge(inside.x) & b.simd_ge(inside.y) & c.simd_ge(inside.z);
-    all.to_bitmask() as u8
-}
-
-/// A mask of lanes from bits.
-#[inline(always)]
-pub(crate) fn mask<S: Simd>(simd: S, bits: u8) -> mask32x8<S> {
-    mask32x8::from_bitmask(simd, bits.into())
 }

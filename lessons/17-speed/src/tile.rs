@@ -1,6 +1,7 @@
-//! A tile: a rectangle of the picture, with the depths, colours and triangles of its pixels.
+//! Tiles of the picture, and their blocks.
 
-use common::{Bounds, Color, IVec2, Image};
+use common::{Bounds, Color, IVec2};
+use fearless_simd::{Simd, f32x8, prelude::*};
 
 use crate::blocks::SIDE;
 use crate::eight::packed;
@@ -8,46 +9,66 @@ use crate::eight::packed;
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// A rectangle of the picture. Rows are padded to whole blocks.
+/// What is known of eight by eight pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block {
+    /// No pixel is nearer.
+    pub(crate) nearest: f32,
+    /// No pixel is farther.
+    pub(crate) farthest: f32,
+    /// The triangle that is seen in all of it; then the pixels' own depths and triangles are yet to be written.
+    pub(crate) whole: u32,
+    /// Whether there is something to be shaded.
+    pub(crate) is_seen: bool,
+    /// Whether a pixel has changed since `farthest` was looked for.
+    pub(crate) has_changed: bool,
+}
+
+const EMPTY: Block = Block { nearest: 1.0, farthest: 1.0, whole: NONE, is_seen: false, has_changed: false };
+
+/// A square of the picture. Its pixels are kept row after row, so many to a row as it has columns, whether they are in the
+/// picture or not, and eight more at the end, so that eight can be read from each.
 #[derive(Debug)]
 pub(crate) struct Tile {
-    /// Its pixels.
+    /// Its pixels, as far as they are in the picture.
     pub(crate) bounds: Bounds,
-    /// Pixels in a row of memory.
+    /// Columns.
     pub(crate) stride: usize,
+    /// Whether anything was drawn since the picture was cleared.
+    pub(crate) is_used: bool,
+    pub(crate) blocks: Vec<Block>,
     pub(crate) depths: Vec<f32>,
     pub(crate) colors: Vec<u32>,
-    /// For each pixel which triangle is seen, until it is shaded.
+    /// Which triangle is seen, and yet to be shaded.
     pub(crate) seen: Vec<u32>,
-    /// For each block how deep the farthest is that is seen in it, or less.
-    pub(crate) farthest: Vec<f32>,
-    /// Whether anything was drawn.
-    pub(crate) is_used: bool,
+    /// The weights of its corners in the picture.
+    pub(crate) weights: [Vec<f32>; 3],
 }
 
 impl Tile {
-    pub(crate) fn new(bounds: Bounds) -> Self {
-        let size = bounds.max - bounds.min + SIDE;
-        let [stride, rows] = [size.x, size.y].map(|side| (side / SIDE * SIDE) as usize);
-        let pixels = stride * rows;
+    /// At those pixels, so many columns and rows; `is_deferred` where triangles are kept.
+    fn new(bounds: Bounds, side: i32, is_deferred: bool) -> Self {
+        let pixels = (side * side + SIDE) as usize;
+        let kept = if is_deferred { pixels } else { 0 };
         Self {
             bounds,
-            stride,
+            stride: side as usize,
+            is_used: false,
+            blocks: vec![EMPTY; (side / SIDE * (side / SIDE)) as usize],
             depths: vec![1.0; pixels],
             colors: vec![0; pixels],
-            seen: vec![NONE; pixels],
-            farthest: vec![1.0; pixels / (SIDE * SIDE) as usize],
-            is_used: false,
+            seen: vec![NONE; kept],
+            weights: [(); 3].map(|()| vec![0.0; kept]),
         }
     }
 
-    /// Before the first triangle: what is in it from an earlier picture is forgotten.
+    /// Before the first triangle of a picture: forgets the last one.
     pub(crate) fn open(&mut self, background: u32) {
         if !self.is_used {
             self.is_used = true;
+            self.blocks.fill(EMPTY);
             self.depths.fill(1.0);
             self.colors.fill(background);
-            self.farthest.fill(1.0);
         }
     }
 
@@ -57,72 +78,91 @@ impl Tile {
         (y - self.bounds.min.y) as usize * self.stride + (x - self.bounds.min.x) as usize
     }
 
-    /// The number of the block whose lower left pixel this is.
+    /// Where a block is in memory: its column and row are counted from the tile's corner.
     #[inline(always)]
-    pub(crate) fn block(&self, x: i32, y: i32) -> usize {
-        let IVec2 { x, y } = (IVec2::new(x, y) - self.bounds.min) / SIDE;
-        y as usize * (self.stride / SIDE as usize) + x as usize
+    pub(crate) fn block(&self, i: i32, j: i32) -> usize {
+        j as usize * (self.stride / SIDE as usize) + i as usize
+    }
+
+    /// Looks for the nearest and the farthest depth of a block if it has changed.
+    #[inline(always)]
+    pub(crate) fn measure<S: Simd>(&mut self, simd: S, block: usize, place: usize) {
+        let block = &mut self.blocks[block];
+        if !block.has_changed {
+            return;
+        }
+        let rows = &self.depths[place..];
+        let first = f32x8::from_slice(simd, &rows[..8]);
+        let (mut least, mut most) = (first, first);
+        for n in 1..SIDE as usize {
+            let row = f32x8::from_slice(simd, &rows[n * self.stride..][..8]);
+            (least, most) = (least.min(row), most.max(row));
+        }
+        block.nearest = least.as_array().iter().copied().fold(f32::INFINITY, f32::min);
+        block.farthest = most.as_array().iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        block.has_changed = false;
     }
 }
 
 /// A picture in tiles.
 #[derive(Debug)]
 pub(crate) struct Tiles {
+    /// Its pixels.
     pub(crate) picture: Bounds,
-    pub(crate) side: i32,
+    /// A tile's side in pixels.
+    side: i32,
+    /// Tiles in a row.
     pub(crate) across: usize,
     pub(crate) tiles: Vec<Tile>,
-    background: u32,
+    pub(crate) background: u32,
 }
 
 impl Tiles {
-    /// Of so many pixels, tiles of that side, a multiple of a block's.
-    pub(crate) fn new(width: i32, height: i32, side: i32) -> Self {
+    /// Of so many pixels, in tiles of a side that is a multiple of a block's.
+    pub(crate) fn new([width, height]: [i32; 2], side: i32, is_deferred: bool) -> Self {
         let picture = Bounds { min: IVec2::ZERO, max: IVec2::new(width, height) - 1 };
         let starts = |end: i32| (0..end).step_by(side as usize);
         let tile = |x: i32, y: i32| {
             let min = IVec2::new(x, y);
-            Tile::new(Bounds { min, max: (min + side - 1).min(picture.max) })
+            Tile::new(Bounds { min, max: (min + side - 1).min(picture.max) }, side, is_deferred)
         };
         let tiles = starts(height).flat_map(|y| starts(width).map(move |x| tile(x, y))).collect();
         Self { picture, side, across: starts(width).len(), tiles, background: 0 }
     }
 
-    /// Forgets what was drawn, for the price of a bit a tile.
+    /// Forgets what was drawn.
     pub(crate) fn clear(&mut self, background: Color) {
         self.background = packed(background);
         self.tiles.iter_mut().for_each(|tile| tile.is_used = false);
     }
 
-    pub(crate) fn background(&self) -> u32 {
-        self.background
-    }
-
-    /// The tiles, from the first to the last column and row, that hold some of these pixels.
+    /// The columns and rows of tiles that hold some of these pixels.
     #[inline(always)]
     pub(crate) fn touched(&self, pixels: Bounds) -> Bounds {
         Bounds { min: pixels.min / self.side, max: pixels.max / self.side }
     }
 
-    /// Copies all pixels to a picture of that size.
-    pub(crate) fn copy_to(&self, image: &mut Image) {
-        let bytes = image.bytes_per_pixel();
-        let width = image.width() as usize;
-        for tile in &self.tiles {
-            let Bounds { min, max } = tile.bounds;
-            let pixels = (max.x - min.x + 1) as usize;
-            for y in min.y..=max.y {
-                let start = (y as usize * width + min.x as usize) * bytes;
-                let to = &mut image.buffer_mut()[start..start + pixels * bytes];
-                let place = tile.place(min.x, y);
-                let from = &tile.colors[place..place + pixels];
-                let background = [self.background; 1];
-                let _ = background;
-                for (to, &color) in to.chunks_exact_mut(bytes).zip(from) {
-                    let color = if tile.is_used { color } else { self.background };
-                    to.copy_from_slice(&color.to_le_bytes()[..bytes]);
-                }
+    /// Copies a row to a picture, pixels of so many bytes each.
+    pub(crate) fn copy_row(&self, y: usize, to: &mut [u8], bytes: usize) {
+        let first = y / self.side as usize * self.across;
+        let parts = to.chunks_mut(self.side as usize * bytes);
+        for (tile, to) in self.tiles[first..first + self.across].iter().zip(parts) {
+            if tile.is_used {
+                write(&tile.colors[tile.place(tile.bounds.min.x, y as i32)..], to, bytes);
+            } else {
+                to.chunks_exact_mut(bytes).for_each(|to| write(&[self.background], to, bytes));
             }
         }
+    }
+}
+
+/// Writes colours as pixels of so many bytes each.
+#[inline(always)]
+fn write(colors: &[u32], to: &mut [u8], bytes: usize) {
+    let colors = colors.iter().map(|color| color.to_le_bytes());
+    match bytes {
+        4 => to.as_chunks_mut().0.iter_mut().zip(colors).for_each(|(to, color)| *to = color),
+        3 => to.as_chunks_mut().0.iter_mut().zip(colors).for_each(|(to, [r, g, b, _])| *to = [r, g, b]),
+        _ => to.iter_mut().zip(colors).for_each(|(to, [r, g, b, a])| *to = Color { r, g, b, a }.luma()),
     }
 }

@@ -11,6 +11,8 @@ use super::corners::{COLOR, NORMAL, POINT, Triangle, UV};
 use super::light::{Lamp, blinn, code, lit, pack};
 use super::texture;
 use super::tile::{PIXELS, Tile};
+use crate::eight::{corners, packed};
+use crate::render::in_space;
 
 /// How many are shaded at once.
 pub(crate) const LANES: usize = 8;
@@ -55,10 +57,9 @@ impl Default for Fragments {
 }
 
 /// Eight of them.
-pub(crate) struct Eight<'a, S: Simd> {
-    pub(crate) triangles: [&'a Triangle; LANES],
-    /// Whether all are of the same triangle.
-    pub(crate) same: bool,
+pub(crate) struct Group<'a, S: Simd> {
+    /// The triangles that they are of, each with a bit for each of its fragments.
+    pub(crate) parts: &'a [(u8, &'a Triangle)],
     /// The pixels' columns and rows.
     pub(crate) pixels: [[i32; LANES]; 2],
     /// The weights of the corners in space.
@@ -100,27 +101,14 @@ impl Fragments {
     }
 }
 
-impl<S: Simd> Eight<'_, S> {
-    /// A number of each one's triangle.
-    #[inline(always)]
-    pub(crate) fn of(&self, simd: S, number: impl Fn(&Triangle) -> f32) -> f32x8<S> {
-        if self.same {
-            return f32x8::splat(simd, number(self.triangles[0]));
-        }
-        let mut numbers = [0.0; LANES];
-        for (to, triangle) in numbers.iter_mut().zip(&self.triangles) {
-            *to = number(triangle);
-        }
-        f32x8::load_array(simd, numbers)
-    }
-
+impl<S: Simd> Group<'_, S> {
     /// The `n`th of the numbers that are interpolated.
     #[inline(always)]
     fn number(&self, simd: S, n: usize) -> f32x8<S> {
+        let [a, b, c] = corners(simd, self.parts, |triangle| {
+            [triangle.varyings[0].0[n], triangle.varyings[1].0[n], triangle.varyings[2].0[n]]
+        });
         let [x, y, z] = self.weights;
-        let a = self.of(simd, |triangle| triangle.varyings[0].0[n]);
-        let b = self.of(simd, |triangle| triangle.varyings[1].0[n]);
-        let c = self.of(simd, |triangle| triangle.varyings[2].0[n]);
         a * x + b * y + c * z
     }
 
@@ -134,9 +122,13 @@ impl<S: Simd> Eight<'_, S> {
 /// The colours of eight fragments, put into the tile.
 #[inline(always)]
 fn shade<S: Simd>(simd: S, look: &Look, triangles: &[Triangle], seen: &[Seen; LANES], tile: &mut Tile) {
-    let eight = eight(simd, triangles, seen, tile);
+    let (parts, count) = parts(triangles, seen);
+    let parts = &parts[..count];
+    let pixels = seen.map(|one| tile.pixel(one.place.into()));
+    let pixels = [pixels.map(|pixel| pixel.x), pixels.map(|pixel| pixel.y)];
+    let eight = Group { parts, pixels, weights: weights(simd, parts, seen) };
     let base = match look.paint {
-        Paint::Color(color) => u32x8::splat(simd, crate::eight::packed(*color)),
+        Paint::Color(color) => u32x8::splat(simd, packed(*color)),
         Paint::Colors(_) => {
             let [r, g, b] = eight.vector(simd, COLOR);
             let a = eight.number(simd, COLOR + 3);
@@ -163,35 +155,34 @@ fn shade<S: Simd>(simd: S, look: &Look, triangles: &[Triangle], seen: &[Seen; LA
             None => tile.paint(simd, place, samples, color),
             Some(alpha) => {
                 let [r, g, b, a] = color.to_le_bytes();
-                let color = crate::eight::packed(faded(Color { r, g, b, a }, alpha));
+                let color = packed(faded(Color { r, g, b, a }, alpha));
                 tile.blend(place, samples, color);
             }
         }
     }
 }
 
-/// Eight fragments with all that is to be known of their place; weights in space are lesson 10's.
+/// The triangles of eight fragments, and how many these are: fragments of the same one come one after the other.
 #[inline(always)]
-fn eight<'a, S: Simd>(simd: S, triangles: &'a [Triangle], seen: &[Seen; LANES], tile: &Tile) -> Eight<'a, S> {
-    let same = seen.iter().all(|one| one.triangle == seen[0].triangle);
-    let pixels = seen.map(|one| tile.pixel(one.place.into()));
+fn parts<'a>(triangles: &'a [Triangle], seen: &[Seen; LANES]) -> ([(u8, &'a Triangle); LANES], usize) {
+    let mut parts = [(0, &triangles[seen[0].triangle as usize]); LANES];
+    let mut count = 1;
+    for (lane, one) in seen.iter().enumerate() {
+        if one.triangle != seen[lane.max(1) - 1].triangle {
+            parts[count] = (0, &triangles[one.triangle as usize]);
+            count += 1;
+        }
+        parts[count - 1].0 |= 1 << lane;
+    }
+    (parts, count)
+}
+
+/// The weights on the triangles in space, from those in the picture: lesson 10's `perspective_weights`.
+#[inline(always)]
+fn weights<S: Simd>(simd: S, parts: &[(u8, &Triangle)], seen: &[Seen; LANES]) -> [f32x8<S>; 3] {
     let weights = seen.map(|one| one.weights);
-    let [x, y, z] = [
-        f32x8::load_array(simd, weights.map(|weights| weights.x)),
-        f32x8::load_array(simd, weights.map(|weights| weights.y)),
-        f32x8::load_array(simd, weights.map(|weights| weights.z)),
-    ];
-    let mut eight = Eight {
-        triangles: seen.map(|one| &triangles[one.triangle as usize]),
-        same,
-        pixels: [pixels.map(|pixel| pixel.x), pixels.map(|pixel| pixel.y)],
-        weights: [x, y, z],
-    };
-    let a = eight.of(simd, |triangle| triangle.inverse_w.x);
-    let b = eight.of(simd, |triangle| triangle.inverse_w.y);
-    let c = eight.of(simd, |triangle| triangle.inverse_w.z);
-    let least = a.min(b).min(c);
-    let share = 1.0 / (least + ((a - least) * x + (b - least) * y + (c - least) * z));
-    eight.weights = [x * a * share, y * b * share, z * c * share];
-    eight
+    let x = f32x8::load_array(simd, weights.map(|weights| weights.x));
+    let y = f32x8::load_array(simd, weights.map(|weights| weights.y));
+    let z = f32x8::load_array(simd, weights.map(|weights| weights.z));
+    in_space(simd, parts, [x, y, z])
 }

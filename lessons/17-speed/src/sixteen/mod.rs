@@ -25,6 +25,7 @@ use clipping::{Clipping, Counts};
 use common::{Bounds, IVec2, Image};
 use fearless_simd::{Level, dispatch};
 use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::lamps::Lamps;
 use scene::render::{Frame, Loops, Pass, Renderer};
 use scene::scene::Style;
@@ -33,13 +34,12 @@ use crate::eight::packed;
 use corners::{Corners, Numbers, Triangle};
 use fragments::{Fragments, Look};
 use light::Lamp;
-use samples::SAMPLES;
 use tile::{SIDE, Tile};
 
 /// What draws a scene in tiles, with all the memory that it takes, kept from frame to frame.
 pub struct Sixteen {
     /// The threads, if there are several.
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<ThreadPool>,
     level: Level,
     /// For the vertices, and for the pixels.
     lamps: (Lamps, Vec<Lamp>),
@@ -63,13 +63,16 @@ struct Desk {
 impl Sixteen {
     /// With so many threads, at least one.
     ///
-    /// # Errors
-    /// Where the system starts none.
-    pub fn new(threads: usize) -> anyhow::Result<Self> {
+    /// # Panics
+    /// Where the system starts no thread.
+    #[must_use]
+    pub fn new(threads: usize) -> Self {
         let threads = threads.max(1);
-        let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        Ok(Self {
-            pool: if threads > 1 { Some(pool()?) } else { None },
+        let pool = (threads > 1).then(|| {
+            ThreadPoolBuilder::new().num_threads(threads).build().expect("the system starts threads")
+        });
+        Self {
+            pool,
             level: Level::new(),
             lamps: Default::default(),
             vertices: Vertices::default(),
@@ -77,7 +80,13 @@ impl Sixteen {
             by_tile: Vec::new(),
             desks: (0..threads).map(|_| Mutex::default()).collect(),
             loops: Loops::default(),
-        })
+        }
+    }
+
+    /// The same with the instructions of that level, one that the machine has.
+    #[must_use]
+    pub fn at_level(self, level: Level) -> Self {
+        Self { level, ..self }
     }
 
     /// Computes the vertices of a pass, and sorts its triangles into tiles.
@@ -129,7 +138,7 @@ impl Sorted<'_> {
             tile.clear(self.background);
             dispatch!(self.level, simd => {
                 if !numbers.is_empty() {
-                    tile.depths.fill([1.0; SAMPLES]);
+                    tile.depths.as_flattened_mut().fill(1.0);
                     raster::draw(simd, self.looks, self.triangles, numbers, tile, fragments);
                 }
                 tile.resolve(simd, bytes, max.x as usize + 1);
@@ -181,5 +190,148 @@ impl Renderer for Sixteen {
             }),
         }
         counts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    use clipping::Cull;
+    use common::{Color, Format, Mat4, Vec2, Vec3};
+    use filtering::light::SRGB;
+    use filtering::{Texture, Wrap};
+    use lighting::PointLight;
+    use lighting::light::Falloff;
+    use scene::keys::Key;
+    use scene::mesh::Paint;
+    use scene::shapes::{cube, sphere};
+    use scene::versions::in_perspective;
+    use scene::{
+        Entity, Filtering, Levels, METHODS, Mesh, Scene, Shading, Shape, Simulation, Target, VERSIONS,
+        Vertex, render_scene,
+    };
+
+    use super::*;
+
+    fn targets(width: u16, height: u16) -> [Target; 3] {
+        let fast = |threads| Target::with(Box::new(Sixteen::new(threads)), width, height);
+        [Target::new(width, height), fast(1), fast(3)]
+    }
+
+    /// Draws by lesson 16's renderer and by this one with one thread and with three, all of which must agree.
+    fn assert_same(
+        targets: &mut [Target; 3],
+        what: &str,
+        mut draw: impl FnMut(&mut Target) -> scene::Counts,
+    ) {
+        let [counts, one, three] = targets.each_mut().map(&mut draw);
+        assert!(counts == one && counts == three, "{what}: {counts:?}, {one:?}, {three:?}");
+        let [expected, one, three] = targets.each_ref().map(Target::picture);
+        let differ = |other: &Image| expected.pixels().zip(other.pixels()).filter(|(a, b)| a != b).count();
+        assert_eq!((differ(one), differ(three)), (0, 0), "{what}");
+    }
+
+    #[test]
+    fn each_version_is_as_lesson_16_draws_it() {
+        let mut targets = [(131, 97), (64, 32)].map(|(width, height)| targets(width, height));
+        for version in VERSIONS {
+            let mut simulation = Simulation::new(version, METHODS[3].run).unwrap();
+            for keys in [&[][..], &[Key::F1], &[Key::F2], &[Key::F1, Key::W, Key::W, Key::W, Key::Left]] {
+                for &key in keys {
+                    simulation.press(key);
+                    simulation.release(key);
+                    simulation.advance(Duration::from_millis(450));
+                }
+                for targets in &mut targets {
+                    let what = format!("version {}, {keys:?}", version.number);
+                    assert_same(targets, &what, |target| simulation.draw(target));
+                }
+            }
+        }
+    }
+
+    /// Numbers from 0 to 1, of a seed.
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn next(&mut self) -> f32 {
+            self.0 += 1;
+            f32::from(Color::random(self.0).g) / 255.0
+        }
+
+        fn below(&mut self, n: usize) -> usize {
+            ((self.next() * n as f32) as usize).min(n - 1)
+        }
+
+        fn vector(&mut self, reach: f32) -> Vec3 {
+            Vec3::new(self.next() - 0.5, self.next() - 0.5, self.next() - 0.5) * (2.0 * reach)
+        }
+    }
+
+    /// Entities of all looks, through which the eye may reach; textures finer and coarser than pixels, and repeated or not.
+    fn scene(numbers: &mut Numbers) -> Scene {
+        let style = Style {
+            shading: [Shading::Unlit, Shading::Phong, Shading::BlinnPhong][numbers.below(3)],
+            filter: [Filtering::Nearest, Filtering::Bilinear, Filtering::Trilinear][numbers.below(3)],
+            cull: [Cull::None, Cull::Back, Cull::Front][numbers.below(3)],
+        };
+        let entities = (0..1 + numbers.below(6)).map(|_| {
+            let floor = {
+                let corner = |x: f32, z: f32| Vertex {
+                    position: Vec3::new(x, 0.0, z) * 50.0,
+                    normal: Vec3::Y,
+                    uv: Vec2::new(x, z) * 20.0,
+                };
+                let vertices =
+                    [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]].map(|[x, z]| corner(x, z)).to_vec();
+                Shape { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
+            };
+            let shape = [cube(), sphere(5, 9), sphere(40, 60), floor].swap_remove(numbers.below(4));
+            let mut color = |n: u64| Color { a: [255, 255, 90][n as usize % 3], ..Color::random(n) };
+            let paint = match numbers.below(3) {
+                0 => Paint::Color(color(numbers.below(200) as u64)),
+                1 => Paint::Colors((0..shape.vertices.len() as u64).map(&mut color).collect()),
+                _ => {
+                    let mut image = Image::new(1 + numbers.below(9) as u16, 7, Format::Rgba);
+                    image.set_all(|n| color(n as u64));
+                    let levels = [image.clone(), image.scale(3, 3), image.scale(1, 1)];
+                    let wrap = [Wrap::Repeat, Wrap::Repeat, Wrap::Clamp, Wrap::Mirror][numbers.below(4)];
+                    Paint::Texture(Arc::new(Texture::of_levels(&levels, wrap, &SRGB)))
+                }
+            };
+            Entity {
+                position: numbers.vector(3.0) - Vec3::new(0.0, 0.0, 3.0),
+                degrees: numbers.vector(180.0),
+                scale: Vec3::ONE + numbers.vector(0.9),
+                alpha: [1.0, 1.0, 0.6][numbers.below(3)],
+                ..Entity::new(Levels::one(Mesh::new(&shape, paint)))
+            }
+        });
+        let entities = entities.collect();
+        let lights = (0..numbers.below(4)).map(|_| PointLight {
+            position: numbers.vector(6.0),
+            diffuse: numbers.next(),
+            specular: numbers.next() - 0.2,
+            shininess: 40.0 * numbers.next(),
+            falloff: [Falloff::None, Falloff::Linear, Falloff::Quadratic][numbers.below(3)],
+            ..PointLight::default()
+        });
+        let lights = lights.map(|light| PointLight { specular: light.specular.max(0.0), ..light }).collect();
+        Scene { entities, lights, background: Color::rgb(10, 20, 30), style }
+    }
+
+    #[test]
+    fn any_scene_is_as_lesson_16_draws_it() {
+        let mut targets = targets(75, 50);
+        targets.iter_mut().for_each(|target| target.antialiased = true);
+        let projection = in_perspective(70.0, Vec2::new(75.0, 50.0));
+        for seed in 0..400 {
+            let scene = scene(&mut Numbers(1000 * seed));
+            assert_same(&mut targets, &format!("seed {seed}"), |target| {
+                render_scene(&scene, target, &projection, &Mat4::IDENTITY)
+            });
+        }
     }
 }

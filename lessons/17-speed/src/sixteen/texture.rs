@@ -6,7 +6,7 @@
 //! equal ones lies just the same, and a share of 0 changes nothing.
 
 use common::{Vec2, Vec4};
-use fearless_simd::{Simd, f32x8, f64x8, i32x8, prelude::*, u32x8};
+use fearless_simd::{Simd, f32x8, f64x8, i32x8, mask64x8, prelude::*, u32x8};
 use filtering::Wrap;
 use filtering::filter::{Filter, Nearest, bilinear, trilinear};
 use filtering::footprint::Gradients;
@@ -14,7 +14,7 @@ use filtering::texture::{Level, Texture};
 use scene::scene::Filtering;
 
 use super::corners::Triangle;
-use super::fragments::{Eight, LANES};
+use super::fragments::{Group, LANES};
 use crate::eight::{narrow, packed};
 
 /// The colours at (u, v).
@@ -23,7 +23,7 @@ pub(crate) fn colors<S: Simd>(
     simd: S,
     texture: &Texture,
     filter: Filtering,
-    eight: &Eight<S>,
+    eight: &Group<S>,
     [u, v]: [f32x8<S>; 2],
 ) -> u32x8<S> {
     let (base, mut lights) = (texture.base(), [Vec4::ZERO; LANES]);
@@ -144,7 +144,7 @@ fn fraction<S: Simd>(simd: S, u: f32x8<S>) -> f32x8<S> {
 
 /// The squares of the longer sides of eight footprints, in texels: see [`Gradients::footprint`].
 #[inline(always)]
-fn longer_squared<S: Simd>(simd: S, size: Vec2, eight: &Eight<S>, uv: [f32x8<S>; 2]) -> f32x8<S> {
+fn longer_squared<S: Simd>(simd: S, size: Vec2, eight: &Group<S>, uv: [f32x8<S>; 2]) -> f32x8<S> {
     let [x, y] = [centers(simd, &eight.pixels[0]), centers(simd, &eight.pixels[1])];
     let slope = [of(simd, eight, |g| g.inverse_w.x), of(simd, eight, |g| g.inverse_w.y)];
     let w = 1.0 / (slope[0] * x + slope[1] * y + of(simd, eight, |g| g.inverse_w.z));
@@ -161,16 +161,14 @@ fn longer_squared<S: Simd>(simd: S, size: Vec2, eight: &Eight<S>, uv: [f32x8<S>;
 
 /// A number of the gradients of each one's triangle.
 #[inline(always)]
-fn of<S: Simd>(simd: S, eight: &Eight<S>, number: impl Fn(&Gradients) -> f64) -> f64x8<S> {
+fn of<S: Simd>(simd: S, eight: &Group<S>, number: impl Fn(&Gradients) -> f64) -> f64x8<S> {
     let number = |triangle: &Triangle| triangle.constant.gradients.as_ref().map_or(0.0, &number);
-    if eight.same {
-        return f64x8::splat(simd, number(eight.triangles[0]));
+    let mut numbers = f64x8::splat(simd, number(eight.parts[0].1));
+    for &(lanes, triangle) in &eight.parts[1..] {
+        let lanes = mask64x8::from_bitmask(simd, lanes.into());
+        numbers = lanes.select(f64x8::splat(simd, number(triangle)), numbers);
     }
-    let mut numbers = [0.0; LANES];
-    for (to, triangle) in numbers.iter_mut().zip(&eight.triangles) {
-        *to = number(triangle);
-    }
-    f64x8::load_array(simd, numbers)
+    numbers
 }
 
 /// The centres of pixels along an axis.
@@ -216,4 +214,21 @@ fn log2<S: Simd>(x: f32x8<S>) -> f32x8<S> {
     let hi = f32x8::from_bits((f - hfsq).to_bits() & 0xffff_f000);
     let lo = f - hi - hfsq + s * (hfsq + r);
     (lo + hi) * IVLN2LO + lo * IVLN2HI + hi * IVLN2HI + k
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::*;
+
+    #[test]
+    fn logarithms_have_libms_last_digit() {
+        let bits: Vec<u32> = (1.0_f32.to_bits()..f32::INFINITY.to_bits()).step_by(997).collect();
+        for bits in bits.as_chunks::<LANES>().0 {
+            let x = bits.map(f32::from_bits);
+            let logarithms = dispatch!(Level::new(), simd => log2(f32x8::load_array(simd, x)).to_array());
+            assert_eq!(logarithms, x.map(libm::log2f), "{x:?}");
+        }
+    }
 }
