@@ -288,7 +288,7 @@ mod tests {
                     [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]].map(|[x, z]| corner(x, z)).to_vec();
                 Shape { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
             };
-            let shape = [cube(), sphere(5, 9), sphere(40, 60), floor].swap_remove(numbers.below(4));
+            let shape = vec![cube(), sphere(5, 9), sphere(40, 60), floor].swap_remove(numbers.below(4));
             let mut color = |n: u64| Color { a: [255, 255, 90][n as usize % 3], ..Color::random(n) };
             let paint = match numbers.below(3) {
                 0 => Paint::Color(color(numbers.below(200) as u64)),
