@@ -27,6 +27,7 @@ pub mod file;
 pub mod image;
 mod kind;
 pub mod lesson;
+mod memory;
 pub mod method;
 pub mod model;
 mod obj;

@@ -67,6 +67,25 @@ impl Model {
         }
     }
 
+    /// The same with texture coordinates, v up: for each triangle the three that its corners have, as indices into `uvs`.
+    ///
+    /// # Errors
+    /// A line that says that there are not as many triangles as the model has, or names the first with a corner that
+    /// does not exist or is not finite.
+    pub fn with_uvs(self, uvs: Vec<Vec2>, triangles: Vec<[u32; 3]>) -> Result<Self, String> {
+        let good = |&i: &u32| uvs.get(i as usize).is_some_and(|uv| uv.is_finite());
+        let (count, own) = (triangles.len(), self.triangles.len());
+        if count != own {
+            return Err(format!("there are texture coordinates for {count} triangles of {own}"));
+        }
+        match triangles.iter().position(|triangle| !triangle.iter().all(good)) {
+            Some(n) => {
+                Err(format!("triangle {n} has texture coordinates that do not exist or are not finite"))
+            }
+            None => Ok(Self { uvs, uv_indices: triangles, ..self }),
+        }
+    }
+
     /// Makes these the positions, as they are placed.
     pub(crate) fn place(&mut self, positions: &[DVec3], placement: &Placement) {
         self.fit = placement.fit.map(|up| Fit::of(positions, up));
@@ -174,5 +193,25 @@ impl Model {
     #[must_use]
     pub fn skipped(&self) -> Option<&Skipped> {
         self.skipped.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texture_coordinates_are_given_to_corners_that_are_there() {
+        let model = || Model::from_triangles(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]).unwrap();
+        let uvs = || vec![Vec2::ZERO, Vec2::ONE];
+        let given = model().with_uvs(uvs(), vec![[1, 0, 1]]).unwrap();
+        assert_eq!(given.face_uvs().collect::<Vec<_>>(), [[Vec2::ONE, Vec2::ZERO, Vec2::ONE]]);
+        assert_eq!(given.positions(), model().positions());
+
+        let refused = |uvs, triangles| model().with_uvs(uvs, triangles).unwrap_err();
+        assert_eq!(refused(uvs(), vec![]), "there are texture coordinates for 0 triangles of 1");
+        let missing = "triangle 0 has texture coordinates that do not exist or are not finite";
+        assert_eq!(refused(uvs(), vec![[0, 1, 2]]), missing);
+        assert_eq!(refused(vec![Vec2::NAN], vec![[0, 0, 0]]), missing);
     }
 }

@@ -46,30 +46,42 @@ pub(crate) fn wants_colors(variable: impl Fn(&str) -> String) -> bool {
 /// A line on standard error that says how far a long work has come, if that is a terminal; it disappears at
 /// the end.
 pub struct Progress {
+    wanted: bool,
     shown: bool,
     begun: Instant,
+    patience: Duration,
     done: u16,
     of: u16,
 }
 
 impl Progress {
-    /// Of a work in so many steps, none of them done.
+    /// Of a work in so many steps, none of them done. It is shown to those who have waited for so long.
     #[must_use]
-    pub fn new(of: u16) -> Self {
-        let progress = Self { shown: std::io::stderr().is_terminal(), begun: Instant::now(), done: 0, of };
+    pub fn new(of: u16, patience: Duration) -> Self {
+        let wanted = std::io::stderr().is_terminal();
+        let mut progress = Self { wanted, shown: false, begun: Instant::now(), patience, done: 0, of };
         progress.show();
         progress
     }
 
     /// Counts one more step as done.
     pub fn step(&mut self) {
-        self.done += 1;
-        self.show();
+        self.reach(self.done + 1);
     }
 
-    fn show(&self) {
-        if self.shown {
-            let _ = write!(std::io::stderr(), "\r{}{CLEAR}", bar(self.done, self.of, self.begun.elapsed()));
+    /// Counts so many steps as done.
+    pub fn reach(&mut self, done: u16) {
+        if done != self.done || !self.shown {
+            self.done = done;
+            self.show();
+        }
+    }
+
+    fn show(&mut self) {
+        let taken = self.begun.elapsed();
+        if self.wanted && taken >= self.patience {
+            self.shown = true;
+            let _ = write!(std::io::stderr(), "\r{}{CLEAR}", bar(self.done, self.of, taken));
         }
     }
 }

@@ -1,6 +1,10 @@
 //! What programs show in a terminal, and nowhere else.
 
+use std::fs::File;
+use std::io::Write;
 use std::process::Command;
+use std::thread;
+use std::time::Duration;
 
 use common::Image;
 use common::preview::half_blocks;
@@ -57,6 +61,31 @@ fn a_bar_says_how_far_a_series_has_come_and_disappears() {
     assert!(seconds.ends_with(" s\x1b[K"), "{told:?}");
     assert_eq!(lines[3], format!("{full}{full} 2/2 0 s\x1b[K"));
     assert_eq!(lines[4..], ["\x1b[K2 pictures", "\n"]);
+}
+
+/// A pipe that is slow: after a second there is a bar, and at the end it is gone.
+#[test]
+fn a_bar_says_how_much_of_a_model_has_been_read_to_those_who_wait() {
+    let folder = tempdir().unwrap();
+    let pipe = folder.path().join("pipe.obj");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let slowly = pipe.clone();
+    let writer = thread::spawn(move || {
+        let mut file = File::create(slowly).unwrap();
+        thread::sleep(Duration::from_secs(1));
+        file.write_all(b"v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    });
+    let mut command = with("wireframe", &folder, TRUE_COLORS);
+    command.args(["--model", "pipe.obj", "--quiet", "--out", "a.png"]);
+    let told = in_terminal(command, 80, 24);
+    writer.join().unwrap();
+    let lines: Vec<&str> = told.split('\r').collect();
+    let [first, bars @ .., last, end] = &lines[..] else { panic!("{told:?}") };
+    assert_eq!((*first, *last, *end), ("", "\x1b[Ka.png (800x800)", "\n"), "{told:?}");
+    assert!(!bars.is_empty(), "{told:?}");
+    for bar in bars {
+        assert!(bar.contains("/100 ") && bar.ends_with(" s\x1b[K"), "{told:?}");
+    }
 }
 
 #[test]

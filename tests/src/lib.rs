@@ -26,6 +26,7 @@
 //! ```text
 //! files/      bad files, what a terminal shows, and the assets made again
 //! platforms/  the pictures, their bytes counted, on other platforms
+//! benches/    how fast scenes are drawn, by the course and by others
 //! ```
 
 pub mod stability;

@@ -27,7 +27,19 @@ impl<'a> Building<'a> {
         let used = used(wanted);
         let renamed =
             [0, 1, 2].map(|kind| vec![NOWHERE; if used[kind] { contents.lengths()[kind] } else { 0 }]);
-        Self { contents, used, lacks: [None; 3], renamed, positions: Vec::new(), model: Model::default() }
+        let counts = &contents.counts;
+        let room = |kind: usize| if used[kind] { counts.elements[kind] } else { 0 };
+        let triangles = |kind: usize| if used[kind] { counts.triangles } else { 0 };
+        let model = Model {
+            triangles: Vec::with_capacity(triangles(0)),
+            uvs: Vec::with_capacity(room(1)),
+            uv_indices: Vec::with_capacity(triangles(1)),
+            normals: Vec::with_capacity(room(2)),
+            normal_indices: Vec::with_capacity(triangles(2)),
+            lines: Vec::with_capacity(counts.bends),
+            ..Model::default()
+        };
+        Self { contents, used, lacks: [None; 3], renamed, positions: Vec::with_capacity(room(0)), model }
     }
 
     /// The place in the model of an element of the file, which enters it with its first use.

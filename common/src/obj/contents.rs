@@ -3,16 +3,13 @@
 use glam::{DVec3, Vec2, Vec3};
 
 use super::building::Building;
+use super::counts::Counts;
 use super::elements::{Corner, NONE, corner, no_numbers, numbers, place, used};
 use super::polygon::Cutter;
+use super::stage::Stage;
 use super::words::{Words, line_number};
 use crate::model::{Attributes, Materials, Model, Skipped};
 use crate::placement::Placement;
-
-/// The most memory that a model takes besides the file, in bytes, as [`Contents::memory`] counts it: some two
-/// million triangles with all attributes, or six million without. A vector that grows is copied into one twice as
-/// large, so that at most three times this is taken for a moment.
-const MEMORY_LIMIT: usize = 512 << 20;
 
 /// The most materials of a file that are kept in mind.
 const MATERIAL_LIMIT: usize = 256;
@@ -31,6 +28,8 @@ pub(super) struct Element {
 /// What is kept of a file while it is read.
 #[derive(Default)]
 pub(super) struct Contents<'a> {
+    /// How much there was to be kept.
+    pub(super) counts: Counts,
     /// NaN in one that is not made of finite numbers.
     pub(super) positions: Vec<DVec3>,
     /// The same.
@@ -50,8 +49,26 @@ pub(super) struct Contents<'a> {
 }
 
 impl<'a> Contents<'a> {
-    pub(super) fn read(bytes: &'a [u8], wanted: Attributes) -> Result<Self, String> {
-        let mut contents = Self::default();
+    /// With room for what was counted.
+    fn with_room(counts: Counts, wanted: Attributes) -> Self {
+        let used = used(wanted);
+        let [positions, uvs, normals] = counts.elements;
+        Self {
+            counts,
+            positions: Vec::with_capacity(positions),
+            uvs: Vec::with_capacity(uvs),
+            normals: Vec::with_capacity(normals),
+            faces: Vec::with_capacity(counts.faces),
+            places: used.map(|used| Vec::with_capacity(if used { counts.corners } else { 0 })),
+            polylines: Vec::with_capacity(counts.polylines),
+            bends: Vec::with_capacity(counts.bends),
+            ..Self::default()
+        }
+    }
+
+    /// What is in the text, of which so much was counted.
+    pub(super) fn read(bytes: &'a [u8], counts: Counts, wanted: Attributes, stage: &mut Stage) -> Self {
+        let mut contents = Self::with_room(counts, wanted);
         let mut words = Words::new(bytes);
         let mut material = None;
         loop {
@@ -90,27 +107,11 @@ impl<'a> Contents<'a> {
                 }
                 _ => {}
             }
-            if contents.memory() > MEMORY_LIMIT {
-                let line = line_number(bytes, offset);
-                let limit = MEMORY_LIMIT >> 20;
-                return Err(format!("line {line}: up to here the model takes the {limit} MiB that it may"));
-            }
+            stage.done(offset);
             if !words.next_line() {
-                return Ok(contents);
+                return contents;
             }
         }
-    }
-
-    /// An upper bound of the bytes that these contents and the model made of them take together, with each
-    /// element used: itself, its new place, and what it becomes. A face of n corners becomes n − 2 triangles.
-    fn memory(&self) -> usize {
-        let [positions, uvs, normals] = self.places.each_ref().map(Vec::len);
-        self.positions.len() * (24 + 4 + 24 + 12)
-            + self.uvs.len() * (8 + 4 + 8)
-            + self.normals.len() * (12 + 4 + 12)
-            + (positions + uvs + normals) * (4 + 12)
-            + (self.faces.len() + self.polylines.len()) * 8
-            + self.bends.len() * (4 + 8)
     }
 
     /// How many elements each list has.
@@ -175,12 +176,15 @@ impl<'a> Contents<'a> {
         bytes: &[u8],
         wanted: Attributes,
         placement: &Placement,
+        stage: &mut Stage,
     ) -> Result<Model, String> {
         let mut building = Building::new(self, wanted);
         let mut cutter = Cutter::new();
         let mut skipped: Option<Skipped> = None;
-        let (mut begin, mut corners, mut points) = (0, Vec::new(), Vec::new());
-        for face in &self.faces {
+        let most = self.counts.most_corners;
+        let (mut begin, mut corners, mut points) = (0, Vec::with_capacity(most), Vec::with_capacity(most));
+        for (n, face) in self.faces.iter().enumerate() {
+            stage.done(n);
             let end = face.end as usize;
             corners.clear();
             corners.extend(
@@ -256,44 +260,13 @@ impl<'a> Contents<'a> {
 mod tests {
     use super::*;
 
-    const NONE: Attributes = Attributes { normals: false, uvs: false };
-    const ALL: Attributes = Attributes { normals: true, uvs: true };
-
-    /// An element is counted as read, its place in the model, and as it is there; a corner is a place, and as part of
-    /// a triangle three of them. A position is an f64 on its way, too.
-    #[test]
-    fn each_line_is_counted_with_all_that_is_made_of_it() {
-        let place = size_of::<u32>();
-        let [vec2, vec3, dvec3] = [size_of::<Vec2>(), size_of::<Vec3>(), size_of::<DVec3>()];
-        let (element, corner, bend) = (size_of::<Element>(), place + 3 * place, place + 2 * place);
-        let counted = |text: &str, wanted| Contents::read(text.as_bytes(), wanted).unwrap().memory();
-        let lines = [
-            ("v 0 0 0\n", dvec3 + place + dvec3 + vec3),
-            ("vt 0 0\n", vec2 + place + vec2),
-            ("vn 0 0 1\n", vec3 + place + vec3),
-            ("f 1/1/1 2/1/1 3/1/1 4/1/1\n", element + 4 * 3 * corner),
-            ("l 1 2 3\n", element + 3 * bend),
-        ];
-        for (line, bytes) in lines {
-            for n in [1, 4] {
-                assert_eq!(counted(&line.repeat(n), ALL), n * bytes, "{line:?} {n} times");
-            }
-        }
-        let (text, bytes): (String, Vec<usize>) = lines.into_iter().unzip();
-        assert_eq!(counted(&text, ALL), bytes.iter().sum());
-        // What is not wanted is not kept.
-        assert_eq!(counted("vt 0 0\nvn 0 0 1\n", NONE), 0);
-        for (wanted, lists) in
-            [(NONE, 1), (Attributes { uvs: true, ..NONE }, 2), (Attributes { normals: true, ..NONE }, 2)]
-        {
-            assert_eq!(counted("f 1/1/1 2/1/1 3/1/1\n", wanted), element + 3 * lists * corner, "{wanted:?}");
-        }
-    }
-
     #[test]
     fn no_more_than_256_materials_are_kept_in_mind() {
         let text: String = (0..300).map(|n| format!("mtllib {n}\nusemtl {n}\nf 1 1 1\n")).collect();
-        let contents = Contents::read(text.as_bytes(), ALL).unwrap();
+        let wanted = Attributes { normals: false, uvs: true };
+        let watch = &mut |_| ();
+        let stage = &mut Stage::new(watch, [0.0, 1.0], text.len());
+        let contents = Contents::read(text.as_bytes(), Counts::default(), wanted, stage);
         assert_eq!((contents.libraries.len(), contents.materials.len()), (256, 256));
     }
 }

@@ -10,24 +10,33 @@
 
 mod building;
 mod contents;
+mod counts;
 mod elements;
 mod faults;
 mod polygon;
+mod stage;
+mod text;
 mod words;
 
 use crate::model::{Attributes, Model};
 use crate::placement::Placement;
-use crate::{Error, file, kind};
+use crate::{Error, kind, memory};
 use contents::Contents;
+use counts::Counts;
+use stage::Stage;
 
 pub(crate) use words::Words;
 
-/// The longest file that is read, in bytes.
-const FILE_LIMIT: u64 = 256 << 20;
+/// What share of the time each stage takes, about: the text is read, counted, understood, and made a model.
+const STAGES: [[f64; 2]; 4] = [[0.0, 0.1], [0.1, 0.3], [0.3, 0.85], [0.85, 1.0]];
 
 impl Model {
-    /// Reads an OBJ file: positions, `l` elements, and what `wanted` asks for. A file of up to 256 MiB will do
-    /// whose model takes no more than 512 MiB: two million triangles with all attributes, and more without.
+    /// Reads an OBJ file: positions, `l` elements, and what `wanted` asks for.
+    ///
+    /// Its text and what is made of it may take half of the memory that is free, and the text 4 GiB; where the system
+    /// does not say what is free, it is taken to be 4 GiB. All is counted before anything is allocated for it. With all
+    /// attributes a triangle takes 80 bytes, and a position with a normal and texture coordinates 112; without, 32 and
+    /// 64. A million triangles of half as many positions take 136 MB and the text. Of a pipe, 256 MiB are read.
     ///
     /// Faces of more than three corners are cut into triangles in their own plane, convex or not. A face is left
     /// out and counted in [`skipped`](Self::skipped) if it has fewer than three corners, a corner that does not
@@ -49,7 +58,23 @@ impl Model {
         wanted: Attributes,
         placement: &Placement,
     ) -> Result<Self, Error> {
-        Self::parse_placed(&file::read_bytes(path, FILE_LIMIT)?, wanted, placement)
+        Self::read_watched(path, wanted, placement, &mut |_| ())
+    }
+
+    /// As [`read_placed`](Self::read_placed). `watch` is called some hundred times with the share of the work that is
+    /// done, about, from 0 to 1.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_watched(
+        path: &std::path::Path,
+        wanted: Attributes,
+        placement: &Placement,
+        watch: &mut dyn FnMut(f64),
+    ) -> Result<Self, Error> {
+        let memory = memory::half();
+        let text = text::read(path, memory, watch, STAGES[0])?;
+        Self::parse_within(&text, wanted, placement, memory, watch)
             .map_err(|reason| Error::Model { path: path.into(), reason })
     }
 
@@ -66,10 +91,33 @@ impl Model {
     /// # Errors
     /// As [`parse`](Self::parse).
     pub fn parse_placed(text: &[u8], wanted: Attributes, placement: &Placement) -> Result<Self, String> {
+        Self::parse_within(text, wanted, placement, memory::half(), &mut |_| ())
+    }
+
+    /// The model in a text that takes no more than so many bytes of memory, together with the text.
+    fn parse_within(
+        text: &[u8],
+        wanted: Attributes,
+        placement: &Placement,
+        memory: u64,
+        watch: &mut dyn FnMut(f64),
+    ) -> Result<Self, String> {
+        let counts = Counts::of(text, wanted, &mut Stage::new(watch, STAGES[1], text.len()));
+        let needed = text.len() as u64 + counts.memory(wanted);
+        let model = if needed > memory {
+            let Counts { faces, elements: [vertices, ..], .. } = counts;
+            let [needed, memory] = [needed.div_ceil(1 << 20), memory >> 20];
+            Err(format!(
+                "its {faces} faces and {vertices} vertices take {needed} MiB, more than the {memory} MiB that are half of the free memory: {}",
+                text::CURE
+            ))
+        } else {
+            let contents =
+                Contents::read(text, counts, wanted, &mut Stage::new(watch, STAGES[2], text.len()));
+            contents.model(text, wanted, placement, &mut Stage::new(watch, STAGES[3], counts.faces))
+        };
         // Whatever such a file says by chance, what it is explains it better.
-        Contents::read(text, wanted)
-            .and_then(|contents| contents.model(text, wanted, placement))
-            .map_err(|reason| kind::told(text).unwrap_or(reason))
+        model.map_err(|reason| kind::told(text).unwrap_or(reason))
     }
 }
 
@@ -323,6 +371,35 @@ mod tests {
             1,
             "a model all the same"
         );
+    }
+
+    /// Besides the text, a position and a face of three corners take 64 + 32 + 36 · 3 bytes.
+    #[test]
+    fn a_model_may_take_as_much_memory_as_there_is() {
+        let text = format!("v 0 0 0\nf 1 1 1\n#{}", "x".repeat(2 << 20));
+        let placement = Placement::default();
+        let parse = |memory| Model::parse_within(text.as_bytes(), NONE, &placement, memory, &mut |_| ());
+        let needed = text.len() as u64 + 64 + 32 + 36 * 3;
+        assert_eq!(parse(needed).unwrap().triangles.len(), 1);
+        assert_eq!(
+            parse(needed - 1).unwrap_err(),
+            "its 1 faces and 1 vertices take 3 MiB, more than the 2 MiB that are half of the free memory: \
+             close other programs, or draw a model of fewer faces"
+        );
+    }
+
+    #[test]
+    fn how_far_reading_has_come_is_told_from_the_first_byte_to_the_last_face() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        std::fs::write(&path, [SQUARE, &"f 1 2 3\n".repeat(200_000)].concat()).unwrap();
+        let mut told = Vec::new();
+        Model::read_watched(&path, NONE, &Placement::default(), &mut |share| told.push(share)).unwrap();
+        assert!(told.is_sorted() && told[0] > 0.0 && (200..400).contains(&told.len()), "{told:?}");
+        assert!((0.99..=1.0).contains(told.last().unwrap()), "{told:?}");
+        for [begin, end] in STAGES {
+            assert!(told.iter().any(|share| (begin..=end).contains(share)), "{begin} to {end}");
+        }
     }
 
     /// A unit cube where surveyors have it: about its own corner, no digit of the file is lost.

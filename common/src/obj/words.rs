@@ -60,6 +60,11 @@ impl<'a> Words<'a> {
         (begin < self.at).then(|| &self.bytes[begin..self.at])
     }
 
+    /// How many words are left of this line.
+    pub(crate) fn count(&mut self) -> usize {
+        std::iter::from_fn(|| self.word()).count()
+    }
+
     /// Whether a `#` begins no comment: C libraries of Windows wrote `1.#INF`, `-1.#IND`, `1.#QNAN` for what is not
     /// finite, and what is left of those without a comment would be a number.
     fn is_in_a_number(&self) -> bool {

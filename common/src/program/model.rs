@@ -1,13 +1,14 @@
 //! The model that a program draws, and its texture.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{bail, ensure};
 
 use super::texture;
 use crate::placement::{Placement, Up};
 use crate::printable::shown;
-use crate::terminal::eprintln;
+use crate::terminal::{Progress, eprintln};
 use crate::{Attributes, DVec3, Image, Model};
 
 /// The model that lessons draw unless told otherwise.
@@ -16,10 +17,14 @@ pub const DEFAULT_MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/
 /// The texture of the head.
 pub const DEFAULT_TEXTURE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/head.tga");
 
+/// How long reading a model may take before it is shown how far it has come.
+const PATIENCE: Duration = Duration::from_secs(1);
+
 /// `--model` and `--fit`.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct ModelFlag {
-    /// The model to draw, an OBJ file; without FILE the course's own. What lies between -1 and 1 is in view
+    /// The model to draw, an OBJ file, which may take half of the free memory; without FILE the course's own. What lies
+    /// between -1 and 1 is in view
     #[arg(id = "model", long = "model", value_name = "FILE", num_args = 0..=1, default_missing_value = DEFAULT_MODEL)]
     pub file: Option<PathBuf>,
 
@@ -64,7 +69,10 @@ impl ModelFlag {
 
     fn load(&self, origin: DVec3, wanted: Attributes) -> anyhow::Result<Model> {
         let path = self.path();
-        let model = Model::read_placed(path, wanted, &Placement { fit: self.fit, origin })?;
+        let mut progress = Progress::new(100, PATIENCE);
+        let mut watch = |share: f64| progress.reach((100.0 * share) as u16);
+        let model = Model::read_watched(path, wanted, &Placement { fit: self.fit, origin }, &mut watch)?;
+        drop(progress);
         if let Some(line) = model.without_uvs() {
             bail!(
                 "{}: not every face has texture coordinates; export the model with them, or draw it without a \

@@ -1,6 +1,7 @@
 //! Where a program's pictures go: into files, and small ones into the terminal.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::Context;
 
@@ -72,7 +73,7 @@ impl Output {
         prepare: impl Fn(&mut P, u16),
     ) -> anyhow::Result<()> {
         let mut picture = self.canvas(program);
-        let mut progress = Progress::new(count);
+        let mut progress = Progress::new(count, Duration::ZERO);
         for n in 0..count {
             prepare(program, n);
             picture.clear();

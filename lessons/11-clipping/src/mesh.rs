@@ -142,6 +142,8 @@ pub fn strips(list: Mesh) -> Mesh {
         }
     }
     let mut used = vec![false; triangles.len()];
+    // The walk that came by each triangle last.
+    let (mut walk, mut walked) = (0, vec![0; triangles.len()]);
     let (mut indices, mut faces) = (Vec::new(), Vec::new());
     for (n, &[a, b, c]) in triangles.iter().enumerate() {
         if used[n] {
@@ -149,17 +151,20 @@ pub fn strips(list: Mesh) -> Mesh {
         }
         let from = |start: [u32; 3]| {
             let (mut strip, mut members) = (start.to_vec(), vec![n]);
+            walk += 1;
+            walked[n] = walk;
             loop {
                 let [p, q] = [strip[strip.len() - 2], strip[strip.len() - 1]];
                 // An odd triangle has its corners the other way round.
                 let side = if members.len() % 2 == 1 { [q, p] } else { [p, q] };
-                let fresh = |&&n: &&usize| !used[n] && !members.contains(&n);
+                let fresh = |&&n: &&usize| !used[n] && walked[n] != walk;
                 let Some(&next) = beside.get(&side).into_iter().flatten().find(fresh) else { break };
                 let Some(third) = triangles[next].into_iter().find(|corner| !side.contains(corner)) else {
                     break;
                 };
                 strip.push(third);
                 members.push(next);
+                walked[next] = walk;
             }
             (strip, members)
         };

@@ -5,8 +5,8 @@ use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 
 use crate::blocks::SIDE;
 use crate::eight::{Wide, mask};
-use crate::raster::from_least;
 use crate::render::{Job, shade};
+use crate::simd::from_least;
 use crate::tile::{NONE, Tile};
 
 /// Notes that a triangle is seen in some of eight pixels.
@@ -39,7 +39,7 @@ pub(crate) fn spell_out<S: Simd, W: Wide>(
 ) {
     let number = tile.blocks[block].whole;
     tile.blocks[block].whole = NONE;
-    let triangle = job.triangle(number);
+    let triangle = job.triangle(tile, number);
     let Some(edges) = triangle.edges() else { return };
     let mut row = edges.row(simd, corner.x, corner.y);
     for y in corner.y..corner.y + SIDE {
@@ -64,7 +64,7 @@ pub(crate) fn shade_block<S: Simd, W: Wide>(
     let whole = tile.blocks[block].whole;
     if whole != NONE {
         tile.blocks[block].whole = NONE;
-        let triangle = job.triangle(whole);
+        let triangle = job.triangle(tile, whole);
         let Some(edges) = triangle.edges() else { return };
         let mut row = edges.row(simd, corner.x, corner.y);
         for y in corner.y..corner.y + SIDE {
@@ -80,21 +80,20 @@ pub(crate) fn shade_block<S: Simd, W: Wide>(
     }
     for y in corner.y..corner.y + SIDE {
         let place = tile.place(corner.x, y);
-        let seen = &mut tile.seen[place..place + 8];
-        let numbers = u32x8::from_slice(simd, seen);
-        u32x8::splat(simd, NONE).store_slice(seen);
+        let numbers = u32x8::from_slice(simd, &tile.seen[place..place + 8]);
+        u32x8::splat(simd, NONE).store_slice(&mut tile.seen[place..place + 8]);
         let asked = numbers.simd_ne(NONE).to_bitmask() as u8;
         if asked == 0 {
             continue;
         }
         let mut left = asked;
         let number = numbers.as_slice()[left.trailing_zeros() as usize];
-        let mut parts = [(0, job.triangle(number)); 8];
+        let mut parts = [(0, job.triangle(tile, number)); 8];
         let mut count = 0;
         while left != 0 {
             let number = numbers.as_slice()[left.trailing_zeros() as usize];
             let same = numbers.simd_eq(number).to_bitmask() as u8;
-            parts[count] = (same, job.triangle(number));
+            parts[count] = (same, job.triangle(tile, number));
             count += 1;
             left &= !same;
         }

@@ -1,18 +1,17 @@
-//! A picture that is drawn in tiles.
+//! A picture that is drawn in tiles, by as many of the ideas as a [`Plan`] says.
 
 use clipping::render::{Computed, Stages};
 use clipping::{Clipping, Counts, Cull, Mesh};
 use common::{Color, Image};
 use fearless_simd::{Level, dispatch};
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::kept::Kept;
 
 use crate::blocks::SIDE;
 use crate::eight::Wide;
 use crate::render::Job;
-use crate::sort::{Sorted, parts};
-use crate::tile::{Tile, Tiles};
+use crate::threads::Threads;
+use crate::tile::{Canvas, Tile};
+use crate::tiles::{Sorted, parts};
 
 /// Which of the ideas are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,11 +29,11 @@ pub struct Plan {
 /// A picture being drawn, and all memory that this takes, kept from one to the next.
 pub struct Frame {
     plan: Plan,
+    /// Which instructions the machine has.
     level: Level,
-    tiles: Tiles,
+    canvas: Canvas,
     kept: Kept,
-    /// The threads, where there is more than one.
-    pool: Option<ThreadPool>,
+    threads: Threads,
 }
 
 /// What a shader must be for threads to share it.
@@ -50,11 +49,13 @@ impl Frame {
     #[must_use]
     pub fn new(size: [i32; 2], plan: Plan) -> Self {
         let side = (plan.tile.unwrap_or(size[0].max(size[1])).max(1) + SIDE - 1) & !(SIDE - 1);
-        let tiles = Tiles::new(size, side, plan.deferred);
-        let pool = (plan.threads > 1).then(|| {
-            ThreadPoolBuilder::new().num_threads(plan.threads).build().expect("the system starts threads")
-        });
-        Self { plan, level: Level::new(), tiles, kept: Kept::default(), pool }
+        Self {
+            plan,
+            level: Level::new(),
+            canvas: Canvas::new(size, side, plan.deferred),
+            kept: Kept::default(),
+            threads: Threads::new(plan.threads),
+        }
     }
 
     /// The same with the instructions of that level, one that the machine has.
@@ -65,7 +66,7 @@ impl Frame {
 
     /// Forgets what was drawn.
     pub fn clear(&mut self, background: Color) {
-        self.tiles.clear(background);
+        self.canvas.clear(background);
     }
 
     /// Copies what was drawn to a picture of the frame's size.
@@ -73,74 +74,44 @@ impl Frame {
         let bytes = image.bytes_per_pixel();
         // A picture without pixels has no row.
         let row = (image.width() as usize * bytes).max(1);
-        let tiles = &self.tiles;
-        let copy = |(y, to): (usize, &mut [u8])| tiles.copy_row(y, to, bytes);
-        let rows = image.buffer_mut();
-        match &self.pool {
-            Some(pool) => pool.install(|| rows.par_chunks_exact_mut(row).enumerate().for_each(copy)),
-            None => rows.chunks_exact_mut(row).enumerate().for_each(copy),
-        }
+        let canvas = &self.canvas;
+        self.threads.each_piece(image.buffer_mut(), row, |y, to| canvas.copy_row(y, to, bytes));
     }
 
+    // ANCHOR: draw
     /// Draws a mesh. What was drawn before stays where it is nearer, or as near.
     pub fn draw<W: Shared>(&mut self, shader: &W, mesh: &Mesh, cull: Cull) -> Counts {
-        let Self { plan, level, tiles, kept, pool } = self;
-        let (plan, level, pool) = (*plan, *level, pool.as_ref());
-        let size = (tiles.picture.max + 1).as_vec2();
+        let Self { plan, level, canvas, kept, threads } = self;
+        let size = (canvas.picture.max + 1).as_vec2();
         let stages = Stages::new(shader, cull, Clipping::GuardBand, size);
 
         // 1. Vertices, each once.
         let mut vertices: Vec<Computed<W::Varying>> = std::mem::take(kept.of());
-        let vertex = |n: usize| stages.vertex(&mesh.vertices[n]);
-        match pool {
-            Some(pool) => pool.install(|| {
-                (0..mesh.vertices.len())
-                    .into_par_iter()
-                    .with_min_len(1024)
-                    .map(vertex)
-                    .collect_into_vec(&mut vertices);
-            }),
-            None => {
-                vertices.clear();
-                vertices.extend((0..mesh.vertices.len()).map(vertex));
-            }
-        }
+        threads.fill(&mut vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
 
         // 2. Triangles, sorted into tiles, in as many parts as will keep all threads busy.
         let mut sorted: Vec<Sorted<W::Constant, W::Varying>> = std::mem::take(kept.of());
-        let parts = parts(mesh.faces.len(), plan.threads);
-        sorted.resize_with(parts.len(), Sorted::default);
-        let sort = |(part, sorted): (&std::ops::Range<usize>, &mut Sorted<_, _>)| {
-            sorted.fill(&stages, &vertices, mesh.some_triangles(part.clone()), tiles)
-        };
-        let counts = match pool {
-            Some(pool) => {
-                pool.install(|| parts.par_iter().zip(&mut sorted).map(sort).reduce(Counts::default, plus))
-            }
-            None => parts.iter().zip(&mut sorted).map(sort).fold(Counts::default(), plus),
-        };
-        let counts = Counts { vertices: vertices.len(), ..counts };
+        let (count, part) = parts(mesh.faces.len(), plan.threads);
+        sorted.resize_with(count, Sorted::default);
+        threads.each(&mut sorted, |n, sorted| {
+            sorted.fill(&stages, &vertices, mesh.some_triangles(part(n)), canvas);
+        });
+        let mut counts = Counts::default();
+        sorted.iter().for_each(|part| counts += part.counts);
+        counts.vertices = vertices.len();
 
         // 3. Tiles.
-        let background = tiles.background;
-        let job = Job { shader, sorted: &sorted, plan, deferred: plan.deferred && shader.keeps_all() };
-        let draw = |(n, tile): (usize, &mut Tile)| {
+        let background = canvas.background;
+        let job = Job { shader, sorted: &sorted, plan: *plan, deferred: plan.deferred && shader.keeps_all() };
+        threads.each(&mut canvas.tiles, |n, tile: &mut Tile| {
             if sorted.iter().any(|part| !part.by_tile[n].is_empty()) {
                 tile.open(background);
-                dispatch!(level, simd => job.tile(simd, n, tile));
+                dispatch!(*level, simd => job.tile(simd, tile));
             }
-        };
-        match pool {
-            Some(pool) => pool.install(|| tiles.tiles.par_iter_mut().enumerate().for_each(draw)),
-            None => tiles.tiles.iter_mut().enumerate().for_each(draw),
-        }
+        });
         *kept.of() = vertices;
         *kept.of() = sorted;
         counts
     }
-}
-
-fn plus(mut one: Counts, other: Counts) -> Counts {
-    one += other;
-    one
+    // ANCHOR_END: draw
 }

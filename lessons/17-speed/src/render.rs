@@ -7,10 +7,10 @@ use crate::blocks::{Cover, SIDE, cover};
 use crate::deferred::{see, shade_block, spell_out};
 use crate::eight::{Eight, Wide, corners, mask};
 use crate::frame::Plan;
-use crate::hierarchy::Plane;
-use crate::raster::{Row, from_least};
-use crate::sort::{BITS, Sorted};
+use crate::hierarchical_depth::Plane;
+use crate::simd::{Row, from_least};
 use crate::tile::{NONE, Tile};
+use crate::tiles::{BITS, Sorted};
 use crate::triangle::{Edges, Ready};
 
 /// What all tiles of a drawing have in common.
@@ -21,26 +21,33 @@ pub(crate) struct Job<'a, W: Wide> {
     pub(crate) deferred: bool,
 }
 
+/// A triangle that is being drawn.
+struct One<'a, C, V> {
+    number: u32,
+    triangle: &'a Ready<C, V>,
+    edges: Edges,
+}
+
 impl<W: Wide> Job<'_, W> {
-    /// A triangle by its number.
+    /// A triangle of a tile, by its number there.
     #[inline(always)]
-    pub(crate) fn triangle(&self, number: u32) -> &Ready<W::Constant, W::Varying> {
-        &self.sorted[(number >> BITS) as usize].ready[(number & ((1 << BITS) - 1)) as usize]
+    pub(crate) fn triangle(&self, tile: &Tile, number: u32) -> &Ready<W::Constant, W::Varying> {
+        &self.sorted[(number >> BITS) as usize].by_tile[tile.number][(number & ((1 << BITS) - 1)) as usize]
     }
 
-    /// Draws the triangles that reach into the tile of that number.
+    /// Draws the triangles that reach into a tile.
     #[inline(always)]
-    pub(crate) fn tile<S: Simd>(&self, simd: S, n: usize, tile: &mut Tile) {
-        for (part, sorted) in self.sorted.iter().enumerate() {
-            for &number in &sorted.by_tile[n] {
-                let triangle = &sorted.ready[number as usize];
-                let number = number | (part as u32) << BITS;
+    pub(crate) fn tile<S: Simd>(&self, simd: S, tile: &mut Tile) {
+        for (part, Sorted { by_tile, .. }) in self.sorted.iter().enumerate() {
+            for (number, triangle) in by_tile[tile.number].iter().enumerate() {
                 let Some(edges) = triangle.edges() else { continue };
                 let bounds = triangle.bounds(tile.bounds);
+                let number = number as u32 | (part as u32) << BITS;
+                let one = One { number, triangle, edges };
                 if bounds.max.x - bounds.min.x < SIDE {
-                    self.narrow(simd, number, &edges, bounds, tile);
+                    self.narrow(simd, &one, bounds, tile);
                 } else {
-                    self.large(simd, number, &edges, bounds, tile);
+                    self.large(simd, &one, bounds, tile);
                 }
             }
         }
@@ -61,34 +68,39 @@ impl<W: Wide> Job<'_, W> {
     fn narrow<S: Simd>(
         &self,
         simd: S,
-        number: u32,
-        edges: &Edges,
+        one: &One<W::Constant, W::Varying>,
         Bounds { min, max }: Bounds,
         tile: &mut Tile,
     ) {
-        let triangle = self.triangle(number);
+        let &One { triangle, edges, .. } = one;
         let [first, last] = [(min - tile.bounds.min) / SIDE, (max - tile.bounds.min) / SIDE];
         let nearest = triangle.z.min_element();
-        let blocks = || (first.y..=last.y).flat_map(|j| (first.x..=last.x).map(move |i| (i, j)));
-        if self.plan.hierarchical && blocks().all(|(i, j)| nearest >= tile.blocks[tile.block(i, j)].farthest)
-        {
+        let mut is_hidden = self.plan.hierarchical;
+        for j in first.y..=last.y {
+            for i in first.x..=last.x {
+                is_hidden &= nearest >= tile.blocks[tile.block(i, j)].farthest;
+            }
+        }
+        if is_hidden {
             return;
         }
-        for (i, j) in blocks() {
-            let n = tile.block(i, j);
-            if tile.blocks[n].whole != NONE {
-                spell_out(simd, self, tile.bounds.min + IVec2::new(i, j) * SIDE, n, tile);
+        for j in first.y..=last.y {
+            for i in first.x..=last.x {
+                let n = tile.block(i, j);
+                if tile.blocks[n].whole != NONE {
+                    spell_out(simd, self, tile.bounds.min + IVec2::new(i, j) * SIDE, n, tile);
+                }
+                let block = &mut tile.blocks[n];
+                block.nearest = block.nearest.min(nearest);
+                (block.is_seen, block.has_changed) = (self.deferred, true);
             }
-            let block = &mut tile.blocks[n];
-            block.nearest = block.nearest.min(nearest);
-            (block.is_seen, block.has_changed) = (self.deferred, true);
         }
         let inside = u8::MAX >> (min.x + SIDE - 1 - max.x);
         let mut row = edges.row(simd, min.x, min.y);
         for y in min.y..=max.y {
             let covered = row.covered(edges.inside) & inside;
             if covered != 0 {
-                self.eight(simd, number, edges, &row, [min.x, y], covered, tile);
+                self.eight(simd, one, &row, [min.x, y], covered, tile);
             }
             row.step(edges.up);
         }
@@ -99,12 +111,12 @@ impl<W: Wide> Job<'_, W> {
     fn large<S: Simd>(
         &self,
         simd: S,
-        number: u32,
-        edges: &Edges,
+        one: &One<W::Constant, W::Varying>,
         Bounds { min, max }: Bounds,
         tile: &mut Tile,
     ) {
-        let plane = Plane::new(edges, self.triangle(number).z);
+        let &One { number, triangle, edges } = one;
+        let plane = Plane::new(&edges, triangle.z);
         let [first, last] = [(min - tile.bounds.min) / SIDE, (max - tile.bounds.min) / SIDE];
         for j in first.y..=last.y {
             for i in first.x..=last.x {
@@ -123,8 +135,8 @@ impl<W: Wide> Job<'_, W> {
                         continue;
                     }
                 }
-                let block = &mut tile.blocks[n];
                 if self.deferred {
+                    let block = &mut tile.blocks[n];
                     block.is_seen = true;
                     if cover == Cover::Whole && most < block.nearest {
                         (block.whole, block.nearest, block.farthest, block.has_changed) =
@@ -142,7 +154,7 @@ impl<W: Wide> Job<'_, W> {
                 for y in low..=high {
                     let covered = if cover == Cover::Whole { u8::MAX } else { row.covered(edges.inside) };
                     if covered != 0 {
-                        self.eight(simd, number, edges, &row, [corner.x, y], covered, tile);
+                        self.eight(simd, one, &row, [corner.x, y], covered, tile);
                     }
                     row.step(edges.up);
                 }
@@ -152,18 +164,15 @@ impl<W: Wide> Job<'_, W> {
 
     /// Tests and draws those of eight pixels that are covered.
     #[inline(always)]
-    #[expect(clippy::too_many_arguments)]
     fn eight<S: Simd>(
         &self,
         simd: S,
-        number: u32,
-        edges: &Edges,
+        &One { number, triangle, edges }: &One<W::Constant, W::Varying>,
         row: &Row<S>,
         [x, y]: [i32; 2],
         covered: u8,
         tile: &mut Tile,
     ) {
-        let triangle = self.triangle(number);
         let place = tile.place(x, y);
         let weights = row.weights(simd, edges.per_area);
         let depths = from_least(simd, triangle.z, weights);

@@ -30,6 +30,8 @@ const EMPTY: Block = Block { nearest: 1.0, farthest: 1.0, whole: NONE, is_seen: 
 /// picture or not, and eight more at the end, so that eight can be read from each.
 #[derive(Debug)]
 pub(crate) struct Tile {
+    /// Its place among all.
+    pub(crate) number: usize,
     /// Its pixels, as far as they are in the picture.
     pub(crate) bounds: Bounds,
     /// Columns.
@@ -47,10 +49,11 @@ pub(crate) struct Tile {
 
 impl Tile {
     /// At those pixels, so many columns and rows; `is_deferred` where triangles are kept.
-    fn new(bounds: Bounds, side: i32, is_deferred: bool) -> Self {
+    fn new(number: usize, bounds: Bounds, side: i32, is_deferred: bool) -> Self {
         let pixels = (side * side + SIDE) as usize;
         let kept = if is_deferred { pixels } else { 0 };
         Self {
+            number,
             bounds,
             stride: side as usize,
             is_used: false,
@@ -106,7 +109,7 @@ impl Tile {
 
 /// A picture in tiles.
 #[derive(Debug)]
-pub(crate) struct Tiles {
+pub(crate) struct Canvas {
     /// Its pixels.
     pub(crate) picture: Bounds,
     /// A tile's side in pixels.
@@ -117,16 +120,17 @@ pub(crate) struct Tiles {
     pub(crate) background: u32,
 }
 
-impl Tiles {
+impl Canvas {
     /// Of so many pixels, in tiles of a side that is a multiple of a block's.
     pub(crate) fn new([width, height]: [i32; 2], side: i32, is_deferred: bool) -> Self {
         let picture = Bounds { min: IVec2::ZERO, max: IVec2::new(width, height) - 1 };
         let starts = |end: i32| (0..end).step_by(side as usize);
-        let tile = |x: i32, y: i32| {
-            let min = IVec2::new(x, y);
-            Tile::new(Bounds { min, max: (min + side - 1).min(picture.max) }, side, is_deferred)
+        let corners = starts(height).flat_map(|y| starts(width).map(move |x| IVec2::new(x, y)));
+        let tile = |(number, min): (usize, IVec2)| {
+            let bounds = Bounds { min, max: (min + side - 1).min(picture.max) };
+            Tile::new(number, bounds, side, is_deferred)
         };
-        let tiles = starts(height).flat_map(|y| starts(width).map(move |x| tile(x, y))).collect();
+        let tiles = corners.enumerate().map(tile).collect();
         Self { picture, side, across: starts(width).len(), tiles, background: 0 }
     }
 

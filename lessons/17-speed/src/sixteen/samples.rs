@@ -43,7 +43,7 @@ const SUMS: [[[f64; 2]; 256]; 2] = {
     while set < 2 * 256 {
         let mut s = 0;
         while s < 8 {
-            if set % 256 >> s & 1 == 1 {
+            if (set % 256) >> s & 1 == 1 {
                 let sum = &mut sums[set / 256][set % 256];
                 sum[0] += AT[0][set / 256 * 8 + s];
                 sum[1] += AT[1][set / 256 * 8 + s];

@@ -73,14 +73,8 @@ fn repeated<S: Simd>(
     let (u, v) = (fraction(simd, u), fraction(simd, v));
     let of = |numbers: [usize; LANES]| numbers.map(|number| &levels[number]);
     let (finer, coarser) = (of(finer), of(coarser));
-    let columns = [
-        between(simd, u, finer.map(|level| level.width())),
-        between(simd, u, coarser.map(|level| level.width())),
-    ];
-    let rows = [
-        between(simd, v, finer.map(|level| level.height())),
-        between(simd, v, coarser.map(|level| level.height())),
-    ];
+    let columns = [between(simd, u, finer.map(Level::width)), between(simd, u, coarser.map(Level::width))];
+    let rows = [between(simd, v, finer.map(Level::height)), between(simd, v, coarser.map(Level::height))];
     let share = share.to_array();
     for (lane, light) in lights.iter_mut().enumerate() {
         let fine = four(finer[lane], columns[0].lane(lane), rows[0].lane(lane));

@@ -1,0 +1,72 @@
+//! Threads: tiles share no pixel, so all cores draw.
+//!
+//! **Better:** vertices are computed each by itself, parts of the triangles sorted each into lists of their own, and tiles drawn
+//! each to memory of its own. Nothing is locked, and which thread does what changes no pixel: a tile takes the parts' lists in
+//! their order. Who has nothing left to do takes work from others (R. Blumofe and C. Leiserson, *Scheduling multithreaded
+//! computations by work stealing*, 1994; the crate `rayon` does it).
+//! **What it costs:** a thread that sleeps is woken three times a drawing, and once for the picture. What is drawn in less time
+//! than that gains nothing, and what waits for memory gains little: cores share it.
+
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// Threads that wait for work, or the caller's alone.
+pub(crate) struct Threads(Option<ThreadPool>);
+
+// ANCHOR: threads
+impl Threads {
+    /// So many.
+    ///
+    /// # Panics
+    /// Where the system starts no thread.
+    pub(crate) fn new(count: usize) -> Self {
+        let pool = || ThreadPoolBuilder::new().num_threads(count).build().expect("the system starts threads");
+        Self((count > 1).then(pool))
+    }
+
+    /// Does some work with each of these.
+    pub(crate) fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
+        match &self.0 {
+            Some(pool) => {
+                pool.install(|| items.par_iter_mut().enumerate().for_each(|(n, item)| work(n, item)))
+            }
+            None => items.iter_mut().enumerate().for_each(|(n, item)| work(n, item)),
+        }
+    }
+
+    /// Does some work with each piece of these, all of that length.
+    pub(crate) fn each_piece<T: Send>(
+        &self,
+        items: &mut [T],
+        length: usize,
+        work: impl Fn(usize, &mut [T]) + Sync,
+    ) {
+        match &self.0 {
+            Some(pool) => pool.install(|| {
+                items.par_chunks_exact_mut(length).enumerate().for_each(|(n, piece)| work(n, piece));
+            }),
+            None => items.chunks_exact_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),
+        }
+    }
+
+    /// Puts what is made of the numbers below `count` in a list, in the place of what was there.
+    pub(crate) fn fill<T: Send>(
+        &self,
+        list: &mut Vec<T>,
+        count: usize,
+        make: impl Fn(usize) -> T + Send + Sync,
+    ) {
+        /// Fewer are not worth a thread's waking.
+        const LEAST: usize = 1024;
+        match &self.0 {
+            Some(pool) => pool.install(|| {
+                (0..count).into_par_iter().with_min_len(LEAST).map(make).collect_into_vec(list);
+            }),
+            None => {
+                list.clear();
+                list.extend((0..count).map(make));
+            }
+        }
+    }
+}
+// ANCHOR_END: threads
