@@ -23,6 +23,7 @@ pub mod frame;
 mod hierarchical_depth;
 mod render;
 mod simd;
+pub mod sixteen;
 mod threads;
 mod tile;
 mod tiles;

@@ -217,7 +217,11 @@ pub(crate) fn shade<S: Simd, W: Wide>(
 
 /// The weights on the triangles in space from those in the picture, as lesson 10's `perspective_weights` has them.
 #[inline(always)]
-fn in_space<S: Simd, C, V>(simd: S, parts: &[Part<C, V>], [x, y, z]: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+pub(crate) fn in_space<S: Simd, C, V>(
+    simd: S,
+    parts: &[Part<C, V>],
+    [x, y, z]: [f32x8<S>; 3],
+) -> [f32x8<S>; 3] {
     let [a, b, c] = corners(simd, parts, |triangle| triangle.inverse_w.to_array());
     let least = a.min(b).min(c);
     let sum = least + ((a - least) * x + (b - least) * y + (c - least) * z);
