@@ -13,11 +13,14 @@ use super::{PAGE, write};
 use crate::results::{Check, Class, Judged, Lesson, Look, Outcome, Work, Wrong, total};
 use crate::submission::name_of;
 
-/// Bytes that a file's name can have.
+/// What a file's name can be, made of pieces of which some are no text.
 fn name() -> impl Strategy<Value = String> {
-    let odd = prop::sample::select(&b"\x01\x1b\x7f\n\"'<>&%=+ .\xc3\xa9\xef\xbf\xbf\xf0"[..]);
-    let byte = prop_oneof![1..=255_u8, odd].prop_filter("no file has it", |byte| *byte != b'/');
-    vec(byte, 1..250).prop_map(|bytes| name_of(&bytes)).prop_filter("hidden", |name| !name.starts_with('.'))
+    let odd =
+        prop::sample::select(vec!["\u{1}", "\u{1b}", "\u{7f}", "\u{fffe}", "\u{ffff}", "\"'<>&%=+ .", "é"]);
+    let byte = (1..=255_u8).prop_filter("no file has it", |byte| *byte != b'/').prop_map(|byte| vec![byte]);
+    let piece = prop_oneof![byte, odd.prop_map(|text| text.as_bytes().to_vec())];
+    let name = vec(piece, 1..250).prop_map(|pieces| name_of(&pieces.concat()));
+    name.prop_filter("hidden", |name| !name.starts_with('.'))
 }
 
 fn message() -> impl Strategy<Value = String> {

@@ -2,10 +2,12 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::{FULL, LOOK, grade, hand_in, ran, reports_of, said};
+use crate::{FULL, LOOK, grade, grader, hand_in, ran, reports_of, said};
 
 /// Right and wrong ones of all kinds that end by themselves.
 fn class(folder: &Path) -> Vec<String> {
@@ -42,8 +44,7 @@ fn many_at_a_time_get_what_few_get() {
     if !ran(&few, &path("few")) {
         return;
     }
-    // Less patience than all of them together take, and more than the slowest alone.
-    let many = grade(&path("class"), &path("many"), &["--jobs", "60", "--patience", "40"]);
+    let many = grade(&path("class"), &path("many"), &["--jobs", "60"]);
     assert_eq!((few.status.code(), many.status.code()), (Some(0), Some(0)), "{}", said(&many));
     assert!(reports_of(&path("few"), &names) == reports_of(&path("many"), &names));
     let class: Value = serde_json::from_slice(&fs::read(path("many/class.json")).unwrap()).unwrap();
@@ -79,4 +80,53 @@ fn what_the_clock_stops_is_not_graded_and_not_kept() {
     assert!(again(&["--regrade", "ann"]).contains("1 graded now, 1 kept"));
     assert!(again(&["--regrade-failed"]).contains("1 graded now, 1 kept"));
     assert!(again(&["--regrade", "cem"]).contains("holds no such submission"));
+}
+
+/// The children of a process, as they were started.
+fn children(parent: u32) -> Vec<(String, String)> {
+    let processes =
+        fs::read_dir("/proc").unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let numbers = processes.filter(|name| name.bytes().all(|byte| byte.is_ascii_digit()));
+    let child = |number: String| {
+        let read = |file: &str| fs::read_to_string(format!("/proc/{number}/{file}")).ok();
+        let own = read("status")?.contains(&format!("\nPPid:\t{parent}\n"));
+        own.then_some((number.clone(), read("cmdline")?))
+    };
+    numbers.filter_map(child).collect()
+}
+
+#[test]
+fn what_another_program_kills_is_tried_again_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    hand_in(&path("class"), "ann", FULL);
+    let mut command =
+        grader(&["class", "--lessons", "1"], &[("", &path("class")), ("--out", &path("report"))]);
+    let mut running = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let since = Instant::now();
+    // As a system does that has run out of memory.
+    let killed = loop {
+        let compiler = children(running.id())
+            .into_iter()
+            .find(|(_, command)| command.contains("--crate-name\0my_lines"));
+        if let Some((number, _)) = compiler {
+            break Command::new("sh")
+                .args(["-c", &format!("kill -KILL {number}")])
+                .status()
+                .unwrap()
+                .success();
+        }
+        assert!(since.elapsed() < Duration::from_secs(600), "no compiler in ten minutes");
+        if running.try_wait().unwrap().is_some() {
+            break false;
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    };
+    let output = running.wait_with_output().unwrap();
+    if !ran(&output, &path("report")) {
+        return;
+    }
+    assert!(killed, "{}", said(&output));
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert!(fs::read_to_string(path("report/grades.csv")).unwrap().contains("\nann,10,right"));
 }
