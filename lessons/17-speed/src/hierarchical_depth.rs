@@ -74,6 +74,49 @@ mod tests {
     use super::*;
     use crate::triangle::Ready;
 
+    /// Lesson 4's depths of all pixels that a triangle covers in a block are within the block's bounds, however near the corners'
+    /// depths are to each other and however far the corners; and the bounds tell more than the corners do.
+    #[test]
+    fn no_pixel_is_nearer_or_farther_than_its_block_says() {
+        // From 0 to 1, by Knuth's generator.
+        let mut state = 17_u64;
+        let mut share = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f32 / (1 << 24) as f32
+        };
+        let (mut pixels, mut blocks, mut tighter) = (0, 0, 0);
+        for round in 0..30_000 {
+            let reach = [12.0, 40.0, 3000.0, 30_000.0][round % 4];
+            let tilt = [1.0, 1e-3, 1e-6, 2e-7, 6e-8, 0.0][round % 6];
+            let base = [0.0, 0.1, 0.5, 0.999][round % 5 % 4];
+            let corners = [(); 3].map(|()| {
+                let [x, y] = [share(), share()].map(|share| 16.0 + reach * (share - 0.5));
+                Vec4::new(x, y, (base + tilt * share()).min(1.0), 1.0)
+            });
+            let Some(triangle) = Ready::new(corners, (), [(); 3]) else { continue };
+            let Some(edges) = triangle.edges() else { continue };
+            let plane = Plane::new(&edges, triangle.z);
+            let nearest = triangle.z.min_element();
+            for (x, y) in (0..4).flat_map(|j| (0..4).map(move |i| (SIDE * i, SIDE * j))) {
+                let [least, most] = plane.bounds(x, y);
+                blocks += 1;
+                tighter += u32::from(least > nearest);
+                for (x, y) in (y..y + SIDE).flat_map(|y| (x..x + SIDE).map(move |x| (x, y))) {
+                    let here = edges.at(x, y);
+                    if here.cmpge(edges.inside).all() {
+                        let depth = depth_at(triangle.z, (here * edges.per_area).as_vec3());
+                        assert!(
+                            (least..=most).contains(&depth),
+                            "({x}, {y}), {corners:?}: {least} {depth} {most}"
+                        );
+                        pixels += 1;
+                    }
+                }
+            }
+        }
+        assert!(pixels > 1_000_000 && tighter * 4 > blocks, "{pixels}, {tighter} of {blocks}");
+    }
+
     /// Needles of hardly any area, up to the rim of a large picture, that cover the centre of a pixel: numbers that cancel
     /// are as large as can be. The pixel is a corner of its block, where nothing else keeps the bound low.
     #[test]
