@@ -34,7 +34,8 @@ impl Threads {
         }
     }
 
-    /// Does some work with each piece of these, all of that length.
+    /// Does some work with each piece of these, all of that length but perhaps the last. Each piece is handed out by itself, as
+    /// one may cost much more than the next.
     pub(crate) fn each_piece<T: Send>(
         &self,
         items: &mut [T],
@@ -43,9 +44,10 @@ impl Threads {
     ) {
         match &self.0 {
             Some(pool) => pool.install(|| {
-                items.par_chunks_exact_mut(length).enumerate().for_each(|(n, piece)| work(n, piece));
+                let pieces = items.par_chunks_mut(length).with_max_len(1);
+                pieces.enumerate().for_each(|(n, piece)| work(n, piece));
             }),
-            None => items.chunks_exact_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),
+            None => items.chunks_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),
         }
     }
 

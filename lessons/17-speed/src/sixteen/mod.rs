@@ -20,17 +20,16 @@ mod tile;
 
 use std::sync::{Mutex, PoisonError};
 
-use clipping::render::{Vertices, triangles_with};
+use clipping::render::{Computed, Stages};
 use clipping::{Clipping, Counts};
 use common::{Bounds, IVec2, Image};
 use fearless_simd::{Level, dispatch};
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::lamps::Lamps;
 use scene::render::{Frame, Loops, Pass, Renderer};
 use scene::scene::Style;
 
 use crate::eight::packed;
+use crate::threads::Threads;
 use corners::{Corners, Numbers, Triangle};
 use fragments::{Fragments, Look};
 use light::Lamp;
@@ -38,12 +37,11 @@ use tile::{SIDE, Tile};
 
 /// What draws a scene in tiles, with all the memory that it takes, kept from frame to frame.
 pub struct Sixteen {
-    /// The threads, if there are several.
-    pool: Option<ThreadPool>,
+    threads: Threads,
     level: Level,
     /// For the vertices, and for the pixels.
     lamps: (Lamps, Vec<Lamp>),
-    vertices: Vertices<Numbers>,
+    vertices: Vec<Computed<Numbers>>,
     triangles: Vec<Triangle>,
     /// For each tile the numbers of the triangles that reach into it.
     by_tile: Vec<Vec<u32>>,
@@ -67,18 +65,14 @@ impl Sixteen {
     /// Where the system starts no thread.
     #[must_use]
     pub fn new(threads: usize) -> Self {
-        let threads = threads.max(1);
-        let pool = (threads > 1).then(|| {
-            ThreadPoolBuilder::new().num_threads(threads).build().expect("the system starts threads")
-        });
         Self {
-            pool,
+            threads: Threads::new(threads),
             level: Level::new(),
             lamps: Default::default(),
-            vertices: Vertices::default(),
+            vertices: Vec::new(),
             triangles: Vec::new(),
             by_tile: Vec::new(),
-            desks: (0..threads).map(|_| Mutex::default()).collect(),
+            desks: (0..threads.max(1)).map(|_| Mutex::default()).collect(),
             loops: Loops::default(),
         }
     }
@@ -91,7 +85,7 @@ impl Sixteen {
 
     /// Computes the vertices of a pass, and sorts its triangles into tiles.
     fn sort(&mut self, number: usize, pass: &Pass, style: Style, picture: Bounds) -> Counts {
-        let Self { lamps, vertices, triangles, by_tile, .. } = self;
+        let Self { threads, lamps, vertices, triangles, by_tile, .. } = self;
         let size = (picture.max + 1).as_vec2();
         let across = tiles(picture).x;
         let corners = Corners { number, pass, placed: pass.placed(&lamps.0), style, size };
@@ -109,7 +103,10 @@ impl Sixteen {
             }
             triangles.push(triangle);
         };
-        triangles_with(vertices, &corners, pass.mesh.assembled(), pass.cull, Clipping::GuardBand, size, fill)
+        let mesh = pass.mesh.assembled();
+        let stages = Stages::new(&corners, pass.cull, Clipping::GuardBand, size);
+        threads.fill(vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
+        stages.triangles(vertices, mesh.triangles(), fill)
     }
 }
 
@@ -181,14 +178,9 @@ impl Renderer for Sixteen {
             desks: &self.desks,
             level: self.level,
         };
-        let row = SIDE as usize * 3 * picture.width() as usize;
-        let draw = |(row, bytes): (usize, &mut [u8])| sorted.draw_row(row, bytes);
-        match &self.pool {
-            None => picture.buffer_mut().chunks_mut(row).enumerate().for_each(draw),
-            Some(pool) => pool.install(|| {
-                picture.buffer_mut().par_chunks_mut(row).with_max_len(1).enumerate().for_each(draw);
-            }),
-        }
+        // A picture without pixels has no row.
+        let row = (SIDE as usize * 3 * picture.width() as usize).max(1);
+        self.threads.each_piece(picture.buffer_mut(), row, |row, bytes| sorted.draw_row(row, bytes));
         counts
     }
 }
