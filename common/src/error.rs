@@ -60,7 +60,7 @@ pub enum Error {
         /// What it is, and what can be done.
         kind: String,
     },
-    /// The file is larger than the course's largest model or picture could be.
+    /// The picture, or the description of materials, is larger than any that is read.
     #[error("{}: larger than the {} MiB that are read", shown(path), limit >> 20)]
     TooLarge {
         /// The file.

@@ -3,14 +3,17 @@
 //! Every method draws every scene of `speed_scenes`, with two filters, on one thread and, where it has threads, on two.
 //! They take turns, in another order each round, so that ratios hold on a machine that is now fast and now slow. A
 //! picture is cleared and drawn; both are timed. All methods must draw the same picture.
+//!
+//! Times are those of a quiet machine. On a busy one `--processor-time` tells those of one thread all the same.
 
 use std::hint::black_box;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 use common::Image;
+use speed_scenes::clock::Clock;
 use speed_scenes::methods::{Drawer, FILTERS, drawer, ways};
 use speed_scenes::rounds::{Limits, Times, rounds};
 use speed_scenes::{Recipe, SCENES};
@@ -37,6 +40,10 @@ struct Flags {
     #[arg(long, value_name = "S", default_value = "20", value_parser = seconds)]
     seconds: Duration,
 
+    /// Take for the time that for which the program has a processor, on one thread alone
+    #[arg(long)]
+    processor_time: bool,
+
     /// What cargo passes
     #[arg(long, hide = true)]
     bench: bool,
@@ -59,10 +66,12 @@ fn wanted(flag: &[String], name: &str) -> bool {
 fn main() -> ExitCode {
     let flags = Flags::parse();
     let first = ways()[0].name;
+    let clock = if flags.processor_time { Clock::Processor } else { Clock::Wall };
     let methods: Vec<(&str, usize)> = ways()
         .iter()
         .filter(|way| way.name == first || wanted(&flags.method, way.name))
         .flat_map(|way| way.threads.iter().map(|&threads| (way.name, threads)))
+        .filter(|(_, threads)| *threads == 1 || clock == Clock::Wall)
         .collect();
     println!("Milliseconds a picture: median (p25–p75), and the median's ratio to {first}'s.\n");
     let columns: Vec<String> =
@@ -71,7 +80,7 @@ fn main() -> ExitCode {
     println!("|---|---|{}", "---|".repeat(columns.len()));
     let limits = Limits { rounds: flags.rounds, time: flags.seconds };
     for recipe in SCENES.iter().filter(|recipe| wanted(&flags.scene, recipe.name)) {
-        if let Err(fault) = print_scene(recipe, &methods, &flags.filter, limits) {
+        if let Err(fault) = print_scene(recipe, &methods, &flags.filter, (limits, clock)) {
             eprintln!("error: {fault}");
             return ExitCode::FAILURE;
         }
@@ -84,7 +93,7 @@ fn print_scene(
     recipe: &Recipe,
     methods: &[(&str, usize)],
     filters: &[String],
-    limits: Limits,
+    (limits, clock): (Limits, Clock),
 ) -> Result<(), String> {
     let scene = (recipe.make)();
     let surface = scene.surface();
@@ -94,9 +103,7 @@ fn print_scene(
         let mut expected: Option<Image> = None;
         let mut image = scene.canvas();
         let times = rounds(drawers.len(), limits, |n| {
-            let start = Instant::now();
-            black_box(drawers[n](&surface, &mut image));
-            let taken = start.elapsed();
+            let (_, taken) = clock.time(|| black_box(drawers[n](&surface, &mut image)));
             if *expected.get_or_insert_with(|| image.clone()) == image {
                 return Ok(taken);
             }

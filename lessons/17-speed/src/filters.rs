@@ -11,6 +11,9 @@ use perspective::lighting::Clamped;
 
 use crate::eight::{Eight, Wide, lanes, packed};
 
+/// Eight pixels as lesson 13's shader has them: a triangle's gradients, texture coordinates and a brightness.
+pub type Textured<'a, S, F> = Eight<'a, S, (<<F as Filter>::Footprint as Asked>::Constant, ()), (Vec2, f32)>;
+
 /// A filter for eight pixels at once.
 pub trait WideFilter: Filter<Footprint: Asked<Constant: Send + Sync + 'static>> + Default + Sync {
     /// The colours at eight (u, v).
@@ -20,7 +23,7 @@ pub trait WideFilter: Filter<Footprint: Asked<Constant: Send + Sync + 'static>> 
         simd: S,
         texture: &Texture<L>,
         [u, v]: [f32x8<S>; 2],
-        eight: &Eight<S, (<Self::Footprint as Asked>::Constant, ()), (Vec2, f32)>,
+        eight: &Textured<S, Self>,
     ) -> u32x8<S> {
         let mut colors = [0; 8];
         for lane in lanes(eight.asked) {
@@ -44,7 +47,7 @@ impl WideFilter for Nearest {
         simd: S,
         texture: &Texture<L>,
         [u, v]: [f32x8<S>; 2],
-        eight: &Eight<S, ((), ()), (Vec2, f32)>,
+        eight: &Textured<S, Self>,
     ) -> u32x8<S> {
         let level = texture.base();
         let i = texel(simd, u, level.width(), texture.wrap).to_array();

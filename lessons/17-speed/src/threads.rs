@@ -28,7 +28,7 @@ impl Threads {
     pub(crate) fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
         match &self.0 {
             Some(pool) => {
-                pool.install(|| items.par_iter_mut().enumerate().for_each(|(n, item)| work(n, item)))
+                pool.install(|| items.par_iter_mut().enumerate().for_each(|(n, item)| work(n, item)));
             }
             None => items.iter_mut().enumerate().for_each(|(n, item)| work(n, item)),
         }

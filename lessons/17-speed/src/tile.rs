@@ -26,8 +26,8 @@ pub(crate) struct Block {
 
 const EMPTY: Block = Block { nearest: 1.0, farthest: 1.0, whole: NONE, is_seen: false, has_changed: false };
 
-/// A square of the picture. Its pixels are kept row after row, so many to a row as it has columns, whether they are in the
-/// picture or not, and eight more at the end, so that eight can be read from each.
+/// A square of the picture, or what of it is in the picture, in whole blocks. Its pixels are kept row after row, and eight more
+/// at the end, so that eight can be read from each.
 #[derive(Debug)]
 pub(crate) struct Tile {
     /// Its place among all.
@@ -48,16 +48,19 @@ pub(crate) struct Tile {
 }
 
 impl Tile {
-    /// At those pixels, so many columns and rows; `is_deferred` where triangles are kept.
-    fn new(number: usize, bounds: Bounds, side: i32, is_deferred: bool) -> Self {
-        let pixels = (side * side + SIDE) as usize;
+    /// At those pixels; `is_deferred` where triangles are kept.
+    fn new(number: usize, bounds: Bounds, is_deferred: bool) -> Self {
+        const SIDE: usize = crate::blocks::SIDE as usize;
+        let [columns, rows] =
+            (bounds.max - bounds.min + 1).to_array().map(|side| (side as usize).next_multiple_of(SIDE));
+        let pixels = columns * rows + SIDE;
         let kept = if is_deferred { pixels } else { 0 };
         Self {
             number,
             bounds,
-            stride: side as usize,
+            stride: columns,
             is_used: false,
-            blocks: vec![EMPTY; (side / SIDE * (side / SIDE)) as usize],
+            blocks: vec![EMPTY; columns / SIDE * (rows / SIDE)],
             depths: vec![1.0; pixels],
             colors: vec![0; pixels],
             seen: vec![NONE; kept],
@@ -128,7 +131,7 @@ impl Canvas {
         let corners = starts(height).flat_map(|y| starts(width).map(move |x| IVec2::new(x, y)));
         let tile = |(number, min): (usize, IVec2)| {
             let bounds = Bounds { min, max: (min + side - 1).min(picture.max) };
-            Tile::new(number, bounds, side, is_deferred)
+            Tile::new(number, bounds, is_deferred)
         };
         let tiles = corners.enumerate().map(tile).collect();
         Self { picture, side, across: starts(width).len(), tiles, background: 0 }

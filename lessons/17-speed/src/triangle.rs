@@ -1,6 +1,6 @@
 //! A triangle made ready to be drawn, in as few bytes as will do, since there may be a million.
 
-use common::{Bounds, DVec3, IVec2, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
+use common::{Bounds, DVec3, IVec2, Vec2, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
 use perspective::interpolation::relative;
 use triangles::edges::{SUBPIXELS, snap};
 
@@ -43,7 +43,8 @@ impl<C, V> Ready<C, V> {
     pub(crate) fn new(corners: [Vec4; 3], constant: C, varyings: [V; 3]) -> Option<Self> {
         let z = Vec3::from_array(corners.map(|corner| corner.z));
         let inverse_w = relative(corners).filter(|_| z.is_finite())?;
-        let near = |corner: &Vec4| corner.xy().abs().max_element() <= FARTHEST;
+        // NaN is within no limit.
+        let near = |corner: &Vec4| corner.xy().abs().cmple(Vec2::splat(FARTHEST)).all();
         let near = corners.iter().all(near);
         let corners = corners.map(|corner| snap(corner.xy()).map(|coordinate| coordinate as i32));
         near.then_some(Self { corners, z, inverse_w, constant, varyings })

@@ -1,8 +1,9 @@
-// Draws a scene by OpenGL ES 3, without a window: by Mesa's llvmpipe, if the environment asks for it.
+// Draws a scene by Mesa's llvmpipe: OpenGL ES 3 without a window.
 //
 //     llvmpipe SCENE
+//     llvmpipe --check
 //
-// SCENE is what src/file.rs writes; lines and answers are those of src/painter.rs. What is timed ends where glFinish says
+// The second one says whether there is an llvmpipe, and draws nothing. SCENE is what src/file.rs writes; lines and answers are those of src/painter.rs. What is timed ends where glFinish says
 // that the picture is in memory; it is not read back.
 
 #include <EGL/egl.h>
@@ -57,6 +58,8 @@ static GLuint compiled(GLenum kind, const char *source) {
 }
 
 static void open_context(void) {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     PFNEGLGETPLATFORMDISPLAYEXTPROC display_of =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
     EGLDisplay display =
@@ -70,9 +73,14 @@ static void open_context(void) {
     eglBindAPI(EGL_OPENGL_ES_API);
     EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("EGL has no context");
+    if (!strstr((const char *)glGetString(GL_RENDERER), "llvmpipe")) fail("another renderer would draw");
 }
 
 int main(int count, char **arguments) {
+    if (count == 2 && strcmp(arguments[1], "--check") == 0) {
+        open_context();
+        return 0;
+    }
     FILE *file = count == 2 ? fopen(arguments[1], "rb") : NULL;
     if (!file) fail("give the file of a scene");
     // Width, height, vertices, indices, the texture's width and height and whether it is repeated; the matrix by columns
@@ -131,19 +139,24 @@ int main(int count, char **arguments) {
     // Rounding to a level of colour is what is asked for, no pattern that hides it.
     glDisable(GL_DITHER);
     glClearColor(0, 0, 0, 1);
-    printf("%s, OpenGL ES by %s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION));
+    printf("%s, %s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION));
     fflush(stdout);
 
     char line[4096];
     while (fgets(line, sizeof line, stdin)) {
         line[strcspn(line, "\n")] = 0;
-        struct timespec start, end;
-        clock_gettime(CLOCK_MONOTONIC, &start);
+        // By the clock on the wall, and the time for which this program had processors.
+        clockid_t clocks[] = {CLOCK_MONOTONIC, CLOCK_PROCESS_CPUTIME_ID};
+        struct timespec start[2], end[2];
+        for (int n = 0; n < 2; n++) clock_gettime(clocks[n], &start[n]);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glDrawElements(GL_TRIANGLES, (GLsizei)sizes[3], GL_UNSIGNED_INT, NULL);
         glFinish();
-        clock_gettime(CLOCK_MONOTONIC, &end);
-        long taken = (end.tv_sec - start.tv_sec) * 1000000000L + end.tv_nsec - start.tv_nsec;
+        long taken[2];
+        for (int n = 0; n < 2; n++) {
+            clock_gettime(clocks[n], &end[n]);
+            taken[n] = (end[n].tv_sec - start[n].tv_sec) * 1000000000L + end[n].tv_nsec - start[n].tv_nsec;
+        }
         if (glGetError() != GL_NO_ERROR) fail("OpenGL refuses something");
         if (strncmp(line, "picture ", 8) == 0) {
             uint8_t *rgba = malloc((size_t)width * height * 4);
@@ -155,7 +168,7 @@ int main(int count, char **arguments) {
             if (fclose(out) != 0) fail("the picture cannot be written");
             free(rgba);
         }
-        printf("%ld\n", taken);
+        printf("%ld %ld\n", taken[0], taken[1]);
         fflush(stdout);
     }
     return 0;

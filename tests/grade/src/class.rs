@@ -1,4 +1,7 @@
 //! All submissions of a class. A text is graded once, whoever handed it in, and what is finished stays so.
+//!
+//! What a machine could not do while it did others at the same time is put off, and done alone. What it cannot do then,
+//! either, is not graded: a person has to look.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -6,7 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, bail, ensure};
+use ::judge::message;
+use anyhow::{Context, anyhow, bail, ensure};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::compile::{Compiled, compile};
@@ -14,8 +18,9 @@ use crate::judge::{self, Asked};
 use crate::kit::{self, Kit};
 use crate::proof::{self, Wall};
 use crate::report::{self, Time};
-use crate::results::{Class, Graded, Lesson, Outcome, Work};
-use crate::submission::{self, Source, Submission};
+use crate::results::{Class, Graded, Lesson, Look, Outcome, Work};
+use crate::submission::{self, Source, Submission, Wanted};
+use crate::walls::Terms;
 use crate::{file, run};
 
 /// What to grade, and how.
@@ -34,8 +39,12 @@ pub(crate) struct Options {
     pub(crate) shard: (usize, usize),
     /// How many submissions at a time.
     pub(crate) jobs: usize,
-    /// Whether the walls are up.
-    pub(crate) closed: bool,
+    /// Submissions whose results are no longer wanted.
+    pub(crate) regrade: Vec<String>,
+    /// Whether those are no longer wanted that are not right.
+    pub(crate) regrade_failed: bool,
+    /// On what terms they are compiled and run.
+    pub(crate) terms: Terms,
 }
 
 /// What one submission has for one lesson.
@@ -47,13 +56,16 @@ struct HandedIn<'a> {
     key: String,
 }
 
-/// Grades a class, or goes on with it, and writes the reports.
-pub(crate) fn grade(options: &Options) -> anyhow::Result<()> {
+/// Texts that could not be graded, by their keys, and why.
+type PutOff = Mutex<BTreeMap<String, String>>;
+
+/// Grades a class, or goes on with it, and writes the reports. Returns the class.
+pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
     let started = Instant::now();
     let (shard, of) = options.shard;
     let submissions = submission::all(&options.class)?;
     let submissions: Vec<Submission> = submissions.into_iter().skip(shard - 1).step_by(of).collect();
-    let walls = prove(options.closed)?;
+    let walls = prove(options.terms.closed)?;
     let work = std::path::absolute(options.report.join("work"))?;
     let (graded, scratch) = (work.join("graded"), work.join("scratch"));
     let _lock = begin(&work, &scratch)?;
@@ -61,7 +73,8 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<()> {
     let asked: Vec<Vec<Asked>> =
         kits.iter().map(|kit| judge::checks(kit, options.seed)).collect::<Result<_, _>>()?;
 
-    let handed_in = collect(&submissions, &kits, options);
+    let handed_in = collect(&submissions, &kits, options)?;
+    forget(&handed_in, &graded, options)?;
     let mut texts: BTreeMap<&str, &HandedIn> = BTreeMap::new();
     for one in handed_in.iter().filter(|one| matches!(one.source, Source::Text(_))) {
         texts.entry(&one.key).or_insert(one);
@@ -70,24 +83,63 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<()> {
     let open: Vec<&HandedIn> =
         texts.into_values().filter(|one| Graded::read(&graded, &one.key).is_none()).collect();
     let now = open.len();
-    each(open, options.jobs, |one| {
+    let put_off = PutOff::default();
+    let try_one = |one: &HandedIn| {
         let Source::Text(text) = &one.source else { return Ok(()) };
         let folder = scratch.join(&one.key);
-        let result = grade_one(&kits[one.lesson], &asked[one.lesson], text, &folder, options)?;
-        result.write(&graded, &one.key)?;
-        Ok(std::fs::remove_dir_all(folder)?)
-    })?;
+        let result = grade_one(&kits[one.lesson], &asked[one.lesson], text, &folder, options);
+        if folder.exists() {
+            std::fs::remove_dir_all(&folder)?;
+        }
+        let mut put_off = put_off.lock().map_err(|_| anyhow!("a part of the grader panicked"))?;
+        match result {
+            Ok(result) => {
+                put_off.remove(&one.key);
+                result.write(&graded, &one.key)
+            }
+            Err(why) => {
+                put_off.insert(one.key.clone(), format!("{why:#}"));
+                Ok(())
+            }
+        }
+    };
+    each(open.clone(), options.jobs, try_one)?;
+    let again: Vec<&HandedIn> = match put_off.lock() {
+        Ok(put_off) => open.into_iter().filter(|one| put_off.contains_key(&one.key)).collect(),
+        Err(_) => bail!("a part of the grader panicked"),
+    };
+    each(again, 1, try_one)?;
+    let put_off = put_off.into_inner().unwrap_or_default();
 
-    let (class, times) = gather(handed_in, &graded, options, walls, asked)?;
+    let now = now - put_off.len();
+    let (class, times) = gather(handed_in, &graded, &put_off, options, walls, asked)?;
     report::write(&class, times, &options.report)?;
     std::fs::remove_dir_all(&scratch)?;
     println!(
-        "{} submissions, {count} different texts: {now} graded now, {} kept from before; {:.1} s\n{}",
+        "{}{} submissions, {count} different texts: {now} graded now, {} kept from before; {:.1} s\n{}",
+        report::looks(&class),
         submissions.len(),
-        count - now,
+        count - now - put_off.len(),
         started.elapsed().as_secs_f64(),
         options.report.join(report::PAGE).display()
     );
+    Ok(class)
+}
+
+/// Removes results that are no longer wanted.
+fn forget(handed_in: &[HandedIn], graded: &Path, options: &Options) -> anyhow::Result<()> {
+    for name in &options.regrade {
+        let there = handed_in.iter().any(|one| one.submission.name == *name);
+        ensure!(there, "--regrade {name}: {} holds no such submission", options.class.display());
+    }
+    for one in handed_in.iter().filter(|one| !one.key.is_empty()) {
+        let wrong = |result: Graded| !result.is_right();
+        if options.regrade.contains(&one.submission.name)
+            || options.regrade_failed && Graded::read(graded, &one.key).is_some_and(wrong)
+        {
+            Graded::remove(graded, &one.key)?;
+        }
+    }
     Ok(())
 }
 
@@ -122,22 +174,36 @@ fn build(options: &Options, scratch: &Path) -> anyhow::Result<Vec<Kit>> {
     Ok(kits)
 }
 
-fn collect<'a>(submissions: &'a [Submission], kits: &[Kit], options: &Options) -> Vec<HandedIn<'a>> {
-    let one = |submission: &'a Submission, lesson: usize| {
-        let source = submission.source(&kits[lesson].lesson);
-        let key = match &source {
-            Source::Text(text) => {
-                let how = format!("{} {}", options.seed, options.closed);
-                file::digest([kits[lesson].digest.as_bytes(), how.as_bytes(), text])
-            }
-            _ => String::new(),
-        };
-        HandedIn { submission, lesson, source, key }
+fn collect<'a>(
+    submissions: &'a [Submission],
+    kits: &[Kit],
+    options: &Options,
+) -> anyhow::Result<Vec<HandedIn<'a>>> {
+    let lessons = tasks::lessons(&options.course)?;
+    let read = |lesson: &str, file: &str| {
+        let path = options.course.join("lessons").join(lesson).join(file);
+        std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
     };
-    submissions
-        .iter()
-        .flat_map(|submission| (0..kits.len()).map(move |lesson| one(submission, lesson)))
-        .collect()
+    let given = |kit: &Kit| -> anyhow::Result<_> {
+        let place = lessons.iter().position(|lesson| *lesson == kit.lesson).context("a lesson is gone")?;
+        Ok((place, read(&kit.lesson, "mission/src/lib.rs")?, read(&kit.lesson, "src/lib.rs")?))
+    };
+    let given: Vec<(usize, Vec<u8>, Vec<u8>)> = kits.iter().map(given).collect::<Result<_, _>>()?;
+    let how = format!("{} {}", options.seed, options.terms.closed);
+    let mut all = Vec::new();
+    for submission in submissions {
+        let files = submission.files();
+        for (lesson, (place, starter, own)) in given.iter().enumerate() {
+            let alone = kits.len() == 1;
+            let source = files.source(&Wanted { lessons: &lessons, lesson: *place, alone, starter, own });
+            let key = match &source {
+                Source::Text(text) => file::digest([kits[lesson].digest.as_bytes(), how.as_bytes(), text]),
+                _ => String::new(),
+            };
+            all.push(HandedIn { submission, lesson, source, key });
+        }
+    }
+    Ok(all)
 }
 
 /// Does something with each text, several at a time, and shows how far it is. The first error ends it.
@@ -168,6 +234,10 @@ fn each<'a>(
     result.into_inner().unwrap_or_else(|_| bail!("a part of the grader panicked"))
 }
 
+/// Grades a text.
+///
+/// # Errors
+/// Where that says nothing of the text: the machine did not do what it was to do.
 fn grade_one(
     kit: &Kit,
     asked: &[Asked],
@@ -176,17 +246,17 @@ fn grade_one(
     options: &Options,
 ) -> anyhow::Result<Graded> {
     let started = Instant::now();
-    let compiled = compile(kit, text, folder, options.closed)?;
+    let compiled = compile(kit, text, folder, options.terms)?;
     let compiling = started.elapsed().as_secs_f64();
     let outcome = match compiled {
         Compiled::Not(said) => Outcome::NotCompiled(said),
         Compiled::Program(program) => {
-            let (answers, printed) = run::run(kit, &program, asked, options.seed, folder, options.closed)?;
+            let seed = options.seed;
+            let (answers, printed) = run::run(kit, &program, asked, seed, folder, options.terms)?;
             // Nobody knows all the results that a hostile program can send. One of them must not end the class.
-            match judge::mark(kit, asked, &answers, options.seed, folder) {
-                Ok(checks) => Outcome::Ran { checks, printed },
-                Err(_) => Outcome::Refused("its results cannot be judged".into()),
-            }
+            let checks =
+                judge::mark(kit, asked, &answers, seed, folder).context("its answers cannot be judged")?;
+            Outcome::Ran { checks, printed }
         }
     };
     Ok(Graded { outcome, compiling, running: started.elapsed().as_secs_f64() - compiling })
@@ -196,6 +266,7 @@ fn grade_one(
 fn gather(
     handed_in: Vec<HandedIn>,
     graded: &Path,
+    put_off: &BTreeMap<String, String>,
     options: &Options,
     walls: Vec<Wall>,
     asked: Vec<Vec<Asked>>,
@@ -210,7 +281,15 @@ fn gather(
     for HandedIn { submission, lesson, source, key } in handed_in {
         let (text, outcome) = match source {
             Source::Missing => (String::new(), Outcome::Missing),
-            Source::Refused(why) => (String::new(), Outcome::Refused(why)),
+            Source::NotRead(look) => (String::new(), Outcome::NotGraded(look)),
+            Source::Text(text) if put_off.contains_key(&key) => {
+                let look = Look {
+                    found: "its text".into(),
+                    because: message::cut(&put_off[&key]),
+                    cure: "give the same command again when the machine has less to do".into(),
+                };
+                (file::digest([text.as_slice()]), Outcome::NotGraded(look))
+            }
             Source::Text(text) => {
                 let result = Graded::read(graded, &key).context("a result is gone")?;
                 let (compiling, running) = (result.compiling, result.running);

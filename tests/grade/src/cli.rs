@@ -3,13 +3,14 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use anyhow::Context;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::class::{self, Options};
-use crate::walls::{NOT_BUILT, Walls};
+use crate::walls::{NOT_BUILT, Terms, Walls};
 use crate::{kit, merge, proof};
 
 /// Grades what students wrote for the course's missions.
@@ -25,6 +26,8 @@ enum Command {
     /// Grade a class: a folder with a folder for each submission.
     ///
     /// Stopped half-way, the same command goes on where it was. A report that is there is brought up to date.
+    ///
+    /// The exit code is 3 if something could not be graded, and a person has to look at it.
     Class {
         /// The class.
         dir: PathBuf,
@@ -43,6 +46,15 @@ enum Command {
         /// How many submissions at a time; as many as there are processors if not given.
         #[arg(long)]
         jobs: Option<std::num::NonZero<usize>>,
+        /// Grade this submission again; may be given several times.
+        #[arg(long, value_name = "NAME")]
+        regrade: Vec<String>,
+        /// Grade all again that are not right.
+        #[arg(long)]
+        regrade_failed: bool,
+        /// How many seconds a compiler or a program may take by the clock, when the machine is busy, before it is put off.
+        #[arg(long, value_name = "SECONDS", default_value_t = 600)]
+        patience: u64,
         /// The course's folder, if not the one that this program was built in.
         #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../.."), hide_default_value = true)]
         course: PathBuf,
@@ -82,7 +94,7 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
 pub(crate) fn main() -> ExitCode {
     let launcher = matches!(std::env::args_os().nth(1), Some(word) if word == "wall");
     match run(Cli::parse().command) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::from(if launcher { NOT_BUILT as u8 } else { 1 })
@@ -90,9 +102,24 @@ pub(crate) fn main() -> ExitCode {
     }
 }
 
-fn run(command: Command) -> anyhow::Result<()> {
-    match command {
-        Command::Class { dir, out, seed, lessons, shard, jobs, course, unsafe_no_sandbox } => {
+/// The exit code where a person has to look at something.
+const LOOK: u8 = 3;
+
+fn run(command: Command) -> anyhow::Result<ExitCode> {
+    let class = match command {
+        Command::Class {
+            dir,
+            out,
+            seed,
+            lessons,
+            shard,
+            jobs,
+            regrade,
+            regrade_failed,
+            patience,
+            course,
+            unsafe_no_sandbox,
+        } => {
             let course =
                 course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
             let jobs =
@@ -102,15 +129,26 @@ fn run(command: Command) -> anyhow::Result<()> {
             let lessons = lessons.map_or(Ok(all.clone()), |list| kit::lessons(&list, &all));
             let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("--lessons: {why}"));
             let lessons = lessons.unwrap_or_else(|why| wrong(why).exit());
-            let closed = !unsafe_no_sandbox;
-            class::grade(&Options { class: dir, report: out, course, seed, lessons, shard, jobs, closed })
+            class::grade(&Options {
+                class: dir,
+                report: out,
+                course,
+                seed,
+                lessons,
+                shard,
+                jobs,
+                regrade,
+                regrade_failed,
+                terms: Terms { closed: !unsafe_no_sandbox, patience: Duration::from_secs(patience) },
+            })?
         }
-        Command::Merge { parts, out } => merge::merge(&parts, &out),
+        Command::Merge { parts, out } => merge::merge(&parts, &out)?,
         Command::Wall { walls, command } => {
             let walls: Walls = serde_json::from_str(&walls)?;
-            walls.enter(&command).map(|never| match never {})
+            match walls.enter(&command)? {}
         }
-        Command::Try { folder } => proof::attempt(&folder),
-        Command::Exhaust { what } => proof::exhaust(&what),
-    }
+        Command::Try { folder } => return proof::attempt(&folder).map(|()| ExitCode::SUCCESS),
+        Command::Exhaust { what } => return proof::exhaust(&what).map(|()| ExitCode::SUCCESS),
+    };
+    Ok(if class.looks().is_empty() { ExitCode::SUCCESS } else { ExitCode::from(LOOK) })
 }

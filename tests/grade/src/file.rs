@@ -1,9 +1,10 @@
 //! Files that are whole or not there.
 
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::Path;
 
 use anyhow::Context;
+use judge::message;
 use sha2::{Digest, Sha256};
 
 /// Writes a file beside its place and renames it, so that it is never half-written.
@@ -23,14 +24,15 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     whole().with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// The beginning of a text file, as far as it is text; nothing if it is not there.
-pub(crate) fn beginning(path: &Path, bytes: u64) -> String {
+/// The beginning of what a program said into a file, as far as it is text, with a note if there is more; nothing if
+/// the file is not there.
+pub(crate) fn said(path: &Path) -> String {
     let mut text = Vec::new();
     if let Ok(file) = std::fs::File::open(path) {
         // What cannot be read is not shown.
-        let _ = std::io::Read::read_to_end(&mut std::io::Read::take(file, bytes), &mut text);
+        let _ = file.take(2 * message::LONGEST as u64).read_to_end(&mut text);
     }
-    String::from_utf8_lossy(&text).into_owned()
+    message::cut(String::from_utf8_lossy(&text).trim())
 }
 
 /// SHA-256 of several pieces, each with its length, in hexadecimal.

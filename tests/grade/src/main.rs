@@ -8,6 +8,7 @@
 //! kit          what a submission to a lesson is built with, made once
 //! compile      rustc and the linker behind walls
 //! run          the program behind walls
+//! process      CPU time, and ends
 //! judge        what the lesson's judge says of its answers
 //! class        all submissions, the same ones once; resumes where it was stopped
 //! results      what is kept of each, and the marks
@@ -30,6 +31,8 @@ mod judge;
 mod kit;
 #[cfg(target_os = "linux")]
 mod merge;
+#[cfg(target_os = "linux")]
+mod process;
 #[cfg(target_os = "linux")]
 mod proof;
 #[cfg(target_os = "linux")]

@@ -7,8 +7,8 @@ use anyhow::{Context, ensure};
 use crate::report;
 use crate::results::Class;
 
-/// Puts the reports of several folders together in another one.
-pub(crate) fn merge(parts: &[PathBuf], into: &Path) -> anyhow::Result<()> {
+/// Puts the reports of several folders together in another one. Returns the class.
+pub(crate) fn merge(parts: &[PathBuf], into: &Path) -> anyhow::Result<Class> {
     let (first, others) = parts.split_first().context("there is nothing to merge")?;
     let mut class = Class::read(first)?;
     let mut times = report::times(first)?;
@@ -39,8 +39,9 @@ pub(crate) fn merge(parts: &[PathBuf], into: &Path) -> anyhow::Result<()> {
         }));
     }
     report::write(&class, times, into)?;
-    println!("{} submissions\n{}", class.submissions.len(), into.join(report::PAGE).display());
-    Ok(())
+    let page = into.join(report::PAGE);
+    println!("{}{} submissions\n{}", report::looks(&class), class.submissions.len(), page.display());
+    Ok(class)
 }
 
 /// A name, with a number if another submission has it already. The same submission twice is one.

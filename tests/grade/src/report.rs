@@ -4,6 +4,8 @@ mod csv;
 mod gradescope;
 mod html;
 mod junit;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 
@@ -36,12 +38,23 @@ pub(crate) fn write(class: &Class, mut times: Vec<Time>, folder: &Path) -> anyho
     file::write(&folder.join("grades.csv"), &csv::grades(class)?)?;
     file::write(&folder.join("junit.xml"), junit::report(class)?.as_bytes())?;
     for (name, works) in &class.submissions {
-        file::write(
-            &folder.join("gradescope").join(name).join("results.json"),
-            &gradescope::results(class, works)?,
-        )?;
+        let path = folder.join("gradescope").join(name).join("results.json");
+        match gradescope::results(class, works)? {
+            Some(results) => file::write(&path, &results)?,
+            // What was known is not so any more.
+            None if path.exists() => std::fs::remove_file(path)?,
+            None => (),
+        }
     }
     file::write(&folder.join(PAGE), html::page(class)?.as_bytes())
+}
+
+/// What a person has to look at, a line each; nothing if there is nothing.
+pub(crate) fn looks(class: &Class) -> String {
+    let looks = class.looks();
+    let lines = looks.iter().map(|(name, lessons, look)| format!("  {name}, {lessons}: {look}\n"));
+    let head = (!looks.is_empty()).then(|| "look here: not graded, which is no 0\n".to_string());
+    head.into_iter().chain(lines).collect()
 }
 
 /// The times that were written into a folder.
@@ -52,11 +65,11 @@ pub(crate) fn times(folder: &Path) -> anyhow::Result<Vec<Time>> {
 const TIMES: &str = "times.csv";
 
 /// Why a work was not run, and what was said; nothing if it was.
-fn not_run(work: &Work) -> Option<(&'static str, &str)> {
+fn not_run(work: &Work) -> Option<(&'static str, String)> {
     match &work.outcome {
-        Outcome::Missing => Some(("there is no lib.rs for this lesson", "")),
-        Outcome::Refused(why) => Some(("it was not read", why)),
-        Outcome::NotCompiled(said) => Some(("it does not compile", said)),
+        Outcome::Missing => Some(("nothing was handed in for this lesson", String::new())),
+        Outcome::NotGraded(look) => Some(("it is not graded", look.to_string())),
+        Outcome::NotCompiled(said) => Some(("it does not compile", said.clone())),
         Outcome::Ran { .. } => None,
     }
 }

@@ -1,9 +1,10 @@
 //! What is kept of each submission, and the marks.
 
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::Path;
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use serde::{Deserialize, Serialize};
 
 use crate::file;
@@ -56,8 +57,8 @@ pub(crate) struct Work {
 pub(crate) enum Outcome {
     /// There is none.
     Missing,
-    /// It was not read, and why.
-    Refused(String),
+    /// Nobody knows yet: it is no 0.
+    NotGraded(Look),
     /// It does not compile, and what was said.
     NotCompiled(String),
     /// It ran.
@@ -67,6 +68,23 @@ pub(crate) enum Outcome {
         /// What it printed, the beginning of it.
         printed: String,
     },
+}
+
+/// Something that a person has to look at.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Look {
+    /// What is there.
+    pub(crate) found: String,
+    /// Why that was not graded.
+    pub(crate) because: String,
+    /// What to do.
+    pub(crate) cure: String,
+}
+
+impl std::fmt::Display for Look {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "found {}, not graded because {}; {}", self.found, self.because, self.cure)
+    }
 }
 
 /// How a check went.
@@ -109,11 +127,21 @@ pub(crate) struct Pictures {
 }
 
 impl Work {
-    /// The points earned.
-    pub(crate) fn earned(&self) -> u32 {
+    /// The points earned; nothing if it is not graded.
+    pub(crate) fn earned(&self) -> Option<u32> {
         match &self.outcome {
-            Outcome::Ran { checks, .. } => checks.iter().map(|check| check.earned).sum(),
-            _ => 0,
+            Outcome::Ran { checks, .. } => Some(checks.iter().map(|check| check.earned).sum()),
+            Outcome::Missing | Outcome::NotCompiled(_) => Some(0),
+            Outcome::NotGraded(_) => None,
+        }
+    }
+
+    /// The points of a check.
+    pub(crate) fn earned_in(&self, check: usize) -> Option<u32> {
+        match &self.outcome {
+            Outcome::Ran { checks, .. } => Some(checks.get(check).map_or(0, |judged| judged.earned)),
+            Outcome::Missing | Outcome::NotCompiled(_) => Some(0),
+            Outcome::NotGraded(_) => None,
         }
     }
 
@@ -121,13 +149,18 @@ impl Work {
     pub(crate) fn state(&self) -> &'static str {
         match &self.outcome {
             Outcome::Missing => "not handed in",
-            Outcome::Refused(_) => "not read",
+            Outcome::NotGraded(_) => "not graded",
             Outcome::NotCompiled(_) => "does not compile",
             Outcome::Ran { checks, .. } if checks.iter().all(|check| check.wrong == 0) => "right",
             Outcome::Ran { checks, .. } if checks.iter().all(|check| check.earned == 0) => "wrong",
             Outcome::Ran { .. } => "partly right",
         }
     }
+}
+
+/// The points of all these; nothing if one is not graded.
+pub(crate) fn total(works: &[Work]) -> Option<u32> {
+    works.iter().map(Work::earned).sum()
 }
 
 impl Lesson {
@@ -143,11 +176,35 @@ impl Class {
         self.lessons.iter().map(Lesson::points).sum()
     }
 
+    /// What a person has to look at: whose, of which lessons, and what. Equal things of one submission are one.
+    pub(crate) fn looks(&self) -> Vec<(&str, String, &Look)> {
+        let mut looks = Vec::new();
+        for (name, works) in &self.submissions {
+            let mut own: Vec<(&Look, Vec<&str>)> = Vec::new();
+            for (work, lesson) in works.iter().zip(&self.lessons) {
+                let Outcome::NotGraded(look) = &work.outcome else { continue };
+                match own.iter_mut().find(|(other, _)| *other == look) {
+                    Some((_, lessons)) => lessons.push(&lesson.name),
+                    None => own.push((look, vec![&lesson.name])),
+                }
+            }
+            looks.extend(own.into_iter().map(|(look, lessons)| (name.as_str(), lessons.join(", "), look)));
+        }
+        looks
+    }
+
     /// Reads what [`Class::write`] wrote.
     pub(crate) fn read(report: &Path) -> anyhow::Result<Self> {
         let path = report.join(CLASS);
         let text = std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        serde_json::from_slice(&text).with_context(|| format!("{} is not of this grader", path.display()))
+        let class: Self = serde_json::from_slice(&text)
+            .with_context(|| format!("{} is not of this grader", path.display()))?;
+        // Of each a folder is made.
+        let odd = |name: &&String| name.starts_with('.') || name.contains('/') || name.contains('\0');
+        if let Some(name) = class.submissions.keys().find(odd) {
+            bail!("{}: {name:?} cannot be a submission’s name", path.display());
+        }
+        Ok(class)
     }
 
     /// Keeps it beside the reports.
@@ -159,7 +216,7 @@ impl Class {
 /// Where it is kept.
 const CLASS: &str = "class.json";
 
-/// A text that was graded, kept until everything it depends on is another.
+/// A text that was graded, kept until everything it depends on is another. What was not graded is not kept.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct Graded {
     /// What became of it.
@@ -179,5 +236,21 @@ impl Graded {
     /// Keeps it.
     pub(crate) fn write(&self, folder: &Path, key: &str) -> anyhow::Result<()> {
         file::write(&folder.join(key), &serde_json::to_vec(self)?)
+    }
+
+    /// Keeps what is under a key no longer.
+    pub(crate) fn remove(folder: &Path, key: &str) -> anyhow::Result<()> {
+        let path = folder.join(key);
+        match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                Err(error).with_context(|| format!("cannot remove {}", path.display()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether nothing is wrong.
+    pub(crate) fn is_right(&self) -> bool {
+        matches!(&self.outcome, Outcome::Ran { checks, .. } if checks.iter().all(|check| check.wrong == 0))
     }
 }

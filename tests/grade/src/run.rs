@@ -1,44 +1,55 @@
 //! A student's program behind walls: it does the tasks.
 
+use std::cell::RefCell;
 use std::fs::File;
-use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::ExitStatus;
+use std::time::Instant;
 
-use anyhow::Context;
-use judge::ask::ask;
-use rustix::process::Signal;
+use anyhow::{Context, bail, ensure};
+use judge::ask::{Answered, ask};
 use tasks::Answer;
 
 use crate::file;
 use crate::judge::Asked;
 use crate::kit::Kit;
-use crate::walls::{self, Role, Walls};
+use crate::process;
+use crate::walls::{self, Role, Terms, Walls};
 
 /// Bytes of memory. A mission takes some 30 MB.
 pub(crate) const MEMORY: u64 = 1 << 30;
-/// Seconds of CPU time, of each process: all tasks of a mission take less than one.
+/// Seconds of CPU time, of each process: all tasks of a mission take less than one. Whoever asks is to stop it before.
 pub(crate) const CPU: u64 = 30;
 /// The largest file, and so the largest output, in bytes. The answers of a mission are at most some 10 MB.
 pub(crate) const FILE: u64 = 64 << 20;
-/// How much of what a program printed is kept, in bytes.
-const KEPT: u64 = 2 << 10;
 
 /// Runs a program on the tasks of a seed. Returns its answers, and what it printed.
+///
+/// # Errors
+/// Where it is no fault of the program: the clock ran out, or another one killed it.
 pub(crate) fn run(
     kit: &Kit,
     program: &Path,
     asked: &[Asked],
     seed: u64,
     folder: &Path,
-    closed: bool,
+    terms: Terms,
 ) -> anyhow::Result<(Vec<Answer>, String)> {
     let printed = folder.join("printed.txt");
     File::create(&printed)?;
     let questions: Vec<usize> = asked.iter().map(|asked| asked.questions).collect();
-    let answers = ask(&questions, folder, |answers, from| {
+    let begun = Instant::now();
+    let time = |child: &_| {
+        ensure!(
+            begun.elapsed() < terms.patience,
+            "the program was stopped {}",
+            process::overdue(terms.patience)
+        );
+        process::cpu_time(child)
+    };
+    let processes = RefCell::new(Vec::new());
+    let start = |answers: &Path, from: usize| {
         let walls = Walls {
-            closed,
+            closed: terms.closed,
             role: Role::Program,
             read: vec![kit.assets.clone()],
             run: [walls::libraries(), vec![program.to_path_buf()]].concat(),
@@ -51,21 +62,15 @@ pub(crate) fn run(
         command.arg("--answer").arg(answers).args([from.to_string(), seed.to_string()]);
         let out = || File::options().append(true).open(&printed);
         command.current_dir(folder).stdout(out()?).stderr(out()?);
-        command.spawn().context("cannot start the launcher")
-    })?;
-    Ok((answers, file::beginning(&printed, KEPT)))
-}
-
-/// Which limit a process ran into, if it was one.
-pub(crate) fn limit(status: ExitStatus) -> Option<&'static str> {
-    let signal = |signal: Signal| status.signal() == Some(signal.as_raw());
-    if signal(Signal::XCPU) || signal(Signal::KILL) {
-        Some("it took too much CPU time")
-    } else if signal(Signal::XFSZ) {
-        Some("it wrote too much")
-    } else if signal(Signal::ABORT) {
-        Some("it ran out of memory, or aborted")
-    } else {
-        None
+        let child = command.spawn().context("cannot start the launcher")?;
+        processes.borrow_mut().push(child.id());
+        Ok(child)
+    };
+    let Answered { answers, ends } = ask(&questions, folder, start, time)?;
+    if let Some(why) = ends.into_iter().find_map(process::killed) {
+        bail!("the program was stopped {why}");
     }
+    // Where a thread's stack overflows, its number is told, which is another one each time.
+    let without = |said: String, process: u32| said.replace(&format!(" ({process})"), "");
+    Ok((answers, processes.take().into_iter().fold(file::said(&printed), without)))
 }

@@ -8,7 +8,7 @@
 //! | files: what is not named cannot be read, written, listed or run | Landlock |
 //! | network, processes, threads, signals to others | a seccomp filter |
 //! | memory, CPU time, size of files and so of output | resource limits |
-//! | wall time | the parent, which kills |
+//! | time by the clock | the parent, which kills |
 //! | what outlives the grader | a signal when the parent dies |
 
 mod calls;
@@ -18,6 +18,7 @@ use std::ffi::OsString;
 use std::os::unix::process::CommandExt;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use anyhow::{Context, ensure};
 use landlock::{
@@ -29,6 +30,15 @@ use serde::{Deserialize, Serialize};
 
 /// What the launcher's exit code is when a wall could not be built. Nothing has run then.
 pub(crate) const NOT_BUILT: i32 = 125;
+
+/// On what terms submissions are compiled and run.
+#[derive(Clone, Copy)]
+pub(crate) struct Terms {
+    /// Whether the walls are up.
+    pub(crate) closed: bool,
+    /// How long a process may take by the clock, before it is put off.
+    pub(crate) patience: Duration,
+}
 
 /// A program within walls.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -75,14 +85,15 @@ impl Walls {
     pub(crate) fn enter(&self, command: &[OsString]) -> anyhow::Result<Infallible> {
         let (program, arguments) = command.split_first().context("there is no program to run")?;
         set_parent_process_death_signal(Some(Signal::KILL)).context("cannot die with the parent")?;
-        for (resource, limit) in [
-            (Resource::As, self.memory),
-            (Resource::Cpu, self.cpu),
-            (Resource::Fsize, self.file),
-            (Resource::Core, 0),
-            (Resource::Nofile, 256),
+        for (resource, limit, maximum) in [
+            (Resource::As, self.memory, self.memory),
+            // At the limit comes a signal of its own; whoever ignores it has a little time before it is killed.
+            (Resource::Cpu, self.cpu, self.cpu + 2),
+            (Resource::Fsize, self.file, self.file),
+            (Resource::Core, 0, 0),
+            (Resource::Nofile, 256, 256),
         ] {
-            let limit = Rlimit { current: Some(limit), maximum: Some(limit) };
+            let limit = Rlimit { current: Some(limit), maximum: Some(maximum) };
             setrlimit(resource, limit).with_context(|| format!("cannot limit {resource:?}"))?;
         }
         if self.closed {

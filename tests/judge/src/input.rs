@@ -22,9 +22,13 @@ impl<F> Judge<F> {
         let questions = keys.iter().flat_map(|key| &key.questions);
         let (task, question) = tasks.zip(questions).nth(n - 1).context("an input")?;
         let names = ["Bounds", "Color", "Format", "IVec2", "Image", "Mat4", "Model", "Vec2", "Vec3", "Vec4"];
-        let used = names.iter().filter(|name| {
-            [format!("{name}::"), format!("{name} {{")].iter().any(|word| task.code.contains(word))
-        });
+        // By itself, not as the end of another name.
+        let is_used = |word: &str| {
+            let before = |(at, _): (usize, &str)| task.code[..at].chars().next_back();
+            task.code.match_indices(word).any(|found| !before(found).is_some_and(char::is_alphanumeric))
+        };
+        let used =
+            names.iter().filter(|name| is_used(&format!("{name}::")) || is_used(&format!("{name} {{")));
         let used = used.copied().collect::<Vec<_>>().join(", ");
         let uses = if used.is_empty() { String::new() } else { format!("    use common::{{{used}}};\n") };
         let code: String = task.code.lines().map(|line| format!("    {line}\n")).collect();

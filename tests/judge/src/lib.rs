@@ -15,6 +15,7 @@ mod fault;
 mod input;
 mod mark;
 pub mod marks;
+pub mod message;
 mod report;
 mod show;
 

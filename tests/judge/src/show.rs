@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
+use std::time::Instant;
 use std::{fs, io};
 
 use anyhow::{Context, bail};
@@ -21,13 +22,15 @@ fn answers(program: &Path, keys: &[AnswerKey], check: Option<&str>) -> anyhow::R
     let folder = std::env::temp_dir().join(format!("pixel-by-pixel-{}", std::process::id()));
     fs::create_dir(&folder).context("cannot make a folder for the answers")?;
     let questions: Vec<usize> = keys.iter().map(|key| key.questions.len()).collect();
-    let answers = ask(&questions, &folder, |file, from| {
+    let start = |file: &Path, from: usize| {
         let mut child = Command::new(program);
         child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]).args(check);
         child.spawn().with_context(|| format!("cannot start {}", program.display()))
-    });
+    };
+    let begun = Instant::now();
+    let answered = ask(&questions, &folder, start, |_| Ok(begun.elapsed()));
     fs::remove_dir_all(&folder).context("cannot remove the folder of the answers")?;
-    answers
+    Ok(answered?.answers)
 }
 
 impl<F> Judge<F> {

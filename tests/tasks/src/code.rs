@@ -1,6 +1,6 @@
 //! Values as Rust, to be pasted into a test.
 
-use common::{Color, IVec2, Mat4, Vec2, Vec3, Vec4};
+use common::{Color, DVec3, IVec2, Mat4, Vec2, Vec3, Vec4};
 
 /// A value that can be written as Rust. The types are those that `common` has.
 pub trait Code {
@@ -39,6 +39,12 @@ impl Code for Vec3 {
 impl Code for Vec4 {
     fn code(&self) -> String {
         format!("Vec4::new({})", self.to_array().map(|n| n.code()).join(", "))
+    }
+}
+
+impl Code for DVec3 {
+    fn code(&self) -> String {
+        format!("DVec3::new({})", self.to_array().map(|n| format!("{n:?}")).join(", "))
     }
 }
 

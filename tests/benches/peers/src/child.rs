@@ -6,6 +6,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Duration;
 
 use anyhow::{Context, ensure};
+use speed_scenes::clock::Clock;
 
 /// A painter that runs. It ends when this is dropped.
 pub(crate) struct Running {
@@ -32,7 +33,8 @@ impl Running {
             .context("taskset does not run: apt-get install util-linux")?;
         let lines = child.stdin.take();
         let answers = BufReader::new(child.stdout.take().context("there is a pipe")?);
-        let mut running = Self { says: String::new(), child, lines, answers };
+        let says = Path::new(program.get_program()).display().to_string();
+        let mut running = Self { says, child, lines, answers };
         running.says = running.answer()?;
         Ok(running)
     }
@@ -44,21 +46,22 @@ impl Running {
         Ok(answer.trim_end().into())
     }
 
-    fn tell(&mut self, line: &str) -> anyhow::Result<Duration> {
+    fn tell(&mut self, line: &str, clock: Clock) -> anyhow::Result<Duration> {
         writeln!(self.lines.as_mut().context("it still runs")?, "{line}")?;
         let answer = self.answer()?;
-        let nanoseconds = answer.parse().with_context(|| format!("{}: {answer}", self.says))?;
-        Ok(Duration::from_nanos(nanoseconds))
+        let nanoseconds = answer.split(' ').nth(usize::from(clock == Clock::Processor));
+        let nanoseconds = nanoseconds.and_then(|number| number.parse().ok());
+        nanoseconds.map(Duration::from_nanos).with_context(|| format!("{}: {answer}", self.says))
     }
 
     /// Lets it draw, and returns how long it took.
-    pub(crate) fn draw(&mut self, method: &str) -> anyhow::Result<Duration> {
-        self.tell(&format!("draw {method}"))
+    pub(crate) fn draw(&mut self, method: &str, clock: Clock) -> anyhow::Result<Duration> {
+        self.tell(&format!("draw {method}"), clock)
     }
 
     /// The picture that it draws, three bytes a pixel, rows from the bottom.
     pub(crate) fn picture(&mut self, method: &str, file: &Path) -> anyhow::Result<Vec<u8>> {
-        self.tell(&format!("picture {method} {}", file.display()))?;
+        self.tell(&format!("picture {method} {}", file.display()), Clock::Wall)?;
         std::fs::read(file).with_context(|| file.display().to_string())
     }
 }

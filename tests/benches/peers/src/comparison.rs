@@ -4,16 +4,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use clap::builder::PossibleValuesParser;
-use common::Image;
+use common::{Format, Image};
+use speed_scenes::clock::Clock;
 use speed_scenes::methods::{Way, ways};
 use speed_scenes::rounds::{Limits, rounds};
 use speed_scenes::{Recipe, SCENES, Scene};
 
 use crate::child::Running;
 use crate::facts::Facts;
-use crate::table::{Cell, print, write_csv};
+use crate::table::{Cell, line, print, write_csv};
 use crate::{existing, file};
 
 /// What to compare, and for how long.
@@ -32,15 +33,19 @@ pub(crate) struct Flags {
     rounds: usize,
 
     /// Fewer rounds, but at least 3, where they would take longer than so many seconds a scene
-    #[arg(long, value_name = "S", default_value_t = 30.0)]
-    seconds: f64,
+    #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
+    seconds: Duration,
+
+    /// Take for the time that for which a renderer has a processor, on one core alone: on a machine that is not quiet
+    #[arg(long)]
+    processor_time: bool,
 
     /// The two processors to draw on; the first is that on which one core draws
     #[arg(long, value_name = "N,N", default_value = "0,1", value_parser = two_processors)]
     processors: (String, String),
 
     /// Also write the figures as CSV, and beside them, as JSON, what they were measured on
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = in_a_folder)]
     csv: Option<PathBuf>,
 
     /// Also write every picture into this folder
@@ -58,6 +63,28 @@ pub(crate) struct Flags {
     /// llvmpipe.c, compiled
     #[arg(long, value_name = "PROGRAM", value_parser = existing)]
     llvmpipe: Option<PathBuf>,
+}
+
+impl Flags {
+    fn clock(&self) -> Clock {
+        if self.processor_time { Clock::Processor } else { Clock::Wall }
+    }
+
+    /// On how many cores everyone draws.
+    fn cores(&self) -> &'static [usize] {
+        if self.processor_time { &[1] } else { &[1, 2] }
+    }
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds.ok_or_else(|| "give a number that is not negative".into())
+}
+
+/// A file that can be written once all is measured.
+fn in_a_folder(text: &str) -> Result<PathBuf, String> {
+    let path = std::path::absolute(text).map_err(|error| error.to_string())?;
+    if path.parent().is_some_and(Path::is_dir) { Ok(path) } else { Err("there is no such folder".into()) }
 }
 
 fn two_processors(text: &str) -> Result<(String, String), String> {
@@ -80,17 +107,18 @@ struct Contender {
 /// # Errors
 /// What does not run or cannot be written, in one line.
 pub(crate) fn run(flags: &Flags) -> anyhow::Result<()> {
-    let time = Duration::try_from_secs_f64(flags.seconds).ok().context("--seconds: give no negative time")?;
-    let limits = Limits { rounds: flags.rounds, time };
+    let limits = Limits { rounds: flags.rounds, time: flags.seconds };
     let mut facts = Facts::find();
     let mut cells = Vec::new();
     for recipe in SCENES.iter().filter(|recipe| wanted(&flags.scene, recipe.name)) {
-        eprintln!("{}", recipe.title);
-        cells.extend(compare(recipe, flags, limits, &mut facts)?);
+        let measured = compare(recipe, flags, limits, &mut facts)?;
+        // Whoever stops the program keeps what there is.
+        eprintln!("{}", line(&measured));
+        cells.extend(measured);
     }
     facts.load_after();
-    print(&cells, &facts);
-    flags.csv.as_deref().map_or(Ok(()), |path| write_csv(&cells, &facts, path))
+    print(&cells, &facts, flags.clock());
+    flags.csv.as_deref().map_or(Ok(()), |path| write_csv(&cells, &facts, flags.clock(), path))
 }
 
 /// Whether a flag asks for a name, or is not given.
@@ -112,7 +140,8 @@ fn compare(
     let mut pictures = Vec::new();
     for Contender { renderer, cores, method, painter } in &contenders {
         let bytes = painters[*painter].picture(method, &folder.path().join("picture"))?;
-        let mut image = scene.canvas();
+        let [width, height] = scene.size;
+        let mut image = Image::new(width, height, Format::Rgb);
         ensure!(bytes.len() == image.buffer().len(), "{renderer}'s picture has another size");
         image.buffer_mut().copy_from_slice(&bytes);
         if let Some(folder) = &flags.pictures {
@@ -122,7 +151,7 @@ fn compare(
     }
     let times = rounds(contenders.len(), limits, |n| {
         let Contender { method, painter, .. } = contenders[n];
-        painters[painter].draw(method)
+        painters[painter].draw(method, flags.clock())
     })?;
     let cell = |((contender, times), picture): ((Contender, _), &Image)| Cell {
         recipe,
@@ -151,7 +180,7 @@ fn start(
     let this = std::env::current_exe()?;
     let builds = [(this.as_path(), ""), (&flags.best, " (native)")];
     for (program, note) in builds.into_iter().take(1 + usize::from(flags.native)) {
-        for cores in [1, 2] {
+        for &cores in flags.cores() {
             let painter = painters.len();
             for Way { name: method, .. } in methods.iter().filter(|way| way.threads.contains(&cores)) {
                 let renderer = format!("{method}{note}");
@@ -176,11 +205,9 @@ fn start(
     if let Some(llvmpipe) = &flags.llvmpipe {
         let path = folder.join("scene");
         file::write(scene, &path)?;
-        for cores in [1, 2] {
+        for &cores in flags.cores() {
             let mut command = Command::new(llvmpipe);
-            command.arg(&path).env("LP_NUM_THREADS", cores.to_string());
-            command.envs([("GALLIUM_DRIVER", "llvmpipe"), ("LIBGL_ALWAYS_SOFTWARE", "1")]);
-            peer("llvmpipe", cores, &command)?;
+            peer("llvmpipe", cores, command.arg(&path).env("LP_NUM_THREADS", cores.to_string()))?;
         }
     }
     Ok((painters, contenders))

@@ -31,7 +31,10 @@ impl Facts {
             processor: format!("{model}, {} processors", models().count()),
             load: [load(), String::new()],
             date: told_by("date", &["+%Y-%m-%d %H:%M"]),
-            commit: told_by("git", &["describe", "--always", "--dirty=, changed"]),
+            commit: told_by(
+                "git",
+                &["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty=, changed"],
+            ),
             compiler: told_by("rustc", &["--version"]),
             renderers: BTreeSet::new(),
         }

@@ -10,6 +10,7 @@ mod painter;
 mod table;
 
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 use anyhow::Context;
 use clap::{Parser, Subcommand, ValueEnum};
@@ -46,11 +47,14 @@ enum Who {
     Euc,
 }
 
-fn main() -> anyhow::Result<()> {
-    match Flags::parse().task {
+fn main() -> ExitCode {
+    let done = match Flags::parse().task {
         Task::Compare(flags) => comparison::run(&flags),
         Task::Paint { who, scene, threads } => paint(who, &scene, threads),
-    }
+    };
+    let Err(error) = done else { return ExitCode::SUCCESS };
+    eprintln!("error: {error:#}");
+    ExitCode::FAILURE
 }
 
 fn paint(who: Who, scene: &str, threads: usize) -> anyhow::Result<()> {

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use speed_scenes::Recipe;
+use speed_scenes::clock::Clock;
 use speed_scenes::rounds::Times;
 
 use crate::comparison::LEVELS;
@@ -19,9 +20,22 @@ pub(crate) struct Cell {
     pub(crate) differing: f64,
 }
 
+/// The times of one scene in a line.
+pub(crate) fn line(cells: &[Cell]) -> String {
+    let title = cells.first().map_or("", |cell| cell.recipe.title);
+    let times = cells.iter().map(|Cell { renderer, cores, times, .. }| {
+        format!("{renderer} {} ({cores})", three_digits(times.median))
+    });
+    format!("{title}: {}", times.collect::<Vec<_>>().join(", "))
+}
+
 /// Prints the times, the shares of pixels, and what was measured on.
-pub(crate) fn print(cells: &[Cell], facts: &Facts) {
-    println!("Milliseconds to clear and draw a picture, medians: one core / two.\n");
+pub(crate) fn print(cells: &[Cell], facts: &Facts, clock: Clock) {
+    let what = match clock {
+        Clock::Wall => "medians: one core / two",
+        Clock::Processor => "medians of the time for which it had a processor, on one core",
+    };
+    println!("Milliseconds to clear and draw a picture, {what}.\n");
     print_table(cells, |cell| three_digits(cell.times.median));
     println!("\nPixels that differ from the first column's by more than {LEVELS} levels, in percent.\n");
     print_table(cells, |cell| three_digits(100.0 * cell.differing));
@@ -63,14 +77,16 @@ fn three_digits(number: f64) -> String {
 }
 
 /// Writes a line for each cell, and beside it, as JSON, what was measured on.
-pub(crate) fn write_csv(cells: &[Cell], facts: &Facts, path: &Path) -> anyhow::Result<()> {
+pub(crate) fn write_csv(cells: &[Cell], facts: &Facts, clock: Clock, path: &Path) -> anyhow::Result<()> {
     let mut text = String::from("scene,renderer,cores,median_ms,p25_ms,p75_ms,differing\n");
     for Cell { recipe, renderer, cores, times, differing } in cells {
         let Times { p25, median, p75 } = times;
         let name = recipe.name;
         text += &format!("{name},{renderer},{cores},{median:.4},{p25:.4},{p75:.4},{differing:.6}\n");
     }
-    let json = format!("{:#}\n", facts.json());
+    let mut json = facts.json();
+    json["processor_time"] = (clock == Clock::Processor).into();
+    let json = format!("{json:#}\n");
     for (path, text) in [(path.to_path_buf(), text), (path.with_extension("json"), json)] {
         common::file::write_whole(&path, text.as_bytes()).with_context(|| path.display().to_string())?;
     }

@@ -1,5 +1,5 @@
 //! What lesson 17 is measured by: [`SCENES`], each the same in every run, the [`methods`] that draw them, and [`rounds`],
-//! which times things in turn.
+//! which times things in turn, by a [`clock`](clock::Clock).
 //!
 //! Tests, benchmarks, charts and the comparison with other renderers share them.
 //!
@@ -10,6 +10,7 @@
 //! | [`soup`] | a million small triangles anywhere |
 //! | [`grid`] | the picture in triangles of one size |
 
+pub mod clock;
 pub mod grid;
 pub mod layers;
 pub mod methods;

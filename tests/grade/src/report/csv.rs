@@ -5,9 +5,10 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 
 use super::Time;
-use crate::results::{Class, Outcome, Work};
+use crate::results::{Class, total};
 
-/// A row for each submission: points and state of each lesson, points of each check, the sum.
+/// A row for each submission: points and state of each lesson, points of each check, the sum. Where something is not
+/// graded, the points and the sum are left empty: they are not 0.
 pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let mut head = vec!["submission".to_string()];
@@ -19,22 +20,18 @@ pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
     for (name, works) in &class.submissions {
         let mut row = vec![harmless(name)];
         for (work, lesson) in works.iter().zip(&class.lessons) {
-            row.extend([work.earned().to_string(), work.state().to_string()]);
-            row.extend((0..lesson.checks.len()).map(|check| earned(work, check).to_string()));
+            row.extend([points(work.earned()), work.state().to_string()]);
+            row.extend((0..lesson.checks.len()).map(|check| points(work.earned_in(check))));
         }
-        row.push(works.iter().map(Work::earned).sum::<u32>().to_string());
+        row.push(points(total(works)));
         row.push(class.points().to_string());
         table.write_record(row)?;
     }
     table.into_inner().map_err(|error| anyhow!("{error}"))
 }
 
-/// The points of a check.
-fn earned(work: &Work, check: usize) -> u32 {
-    match &work.outcome {
-        Outcome::Ran { checks, .. } => checks.get(check).map_or(0, |judged| judged.earned),
-        _ => 0,
-    }
+fn points(earned: Option<u32>) -> String {
+    earned.map(|points| points.to_string()).unwrap_or_default()
 }
 
 /// A name that a spreadsheet does not take for a formula.

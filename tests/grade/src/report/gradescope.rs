@@ -3,9 +3,11 @@
 use serde_json::{Value, json};
 
 use super::{lines, not_run};
-use crate::results::{Class, Outcome, Work};
+use crate::results::{Class, Outcome, Work, total};
 
-pub(super) fn results(class: &Class, works: &[Work]) -> anyhow::Result<Vec<u8>> {
+/// The results of a submission. There are none while one is not graded: a score there must be.
+pub(super) fn results(class: &Class, works: &[Work]) -> anyhow::Result<Option<Vec<u8>>> {
+    let Some(score) = total(works) else { return Ok(None) };
     let mut tests: Vec<Value> = Vec::new();
     for (work, lesson) in works.iter().zip(&class.lessons) {
         for (n, check) in lesson.checks.iter().enumerate() {
@@ -13,7 +15,7 @@ pub(super) fn results(class: &Class, works: &[Work]) -> anyhow::Result<Vec<u8>> 
                 Outcome::Ran { checks, .. } => {
                     checks.get(n).map(|judged| (judged.earned, lines(judged))).unwrap_or_default()
                 }
-                _ => (0, not_run(work).map(|(why, said)| vec![why.into(), said.into()]).unwrap_or_default()),
+                _ => (0, not_run(work).map(|(why, said)| vec![why.into(), said]).unwrap_or_default()),
             };
             tests.push(json!({
                 "name": format!("{} {}: {}", lesson.name, check.name, check.asks),
@@ -25,6 +27,5 @@ pub(super) fn results(class: &Class, works: &[Work]) -> anyhow::Result<Vec<u8>> 
             }));
         }
     }
-    let score: u32 = works.iter().map(Work::earned).sum();
-    Ok(serde_json::to_vec_pretty(&json!({ "score": score, "tests": tests }))?)
+    Ok(Some(serde_json::to_vec_pretty(&json!({ "score": score, "tests": tests }))?))
 }

@@ -6,7 +6,7 @@ use askama::Template;
 
 use super::{lines, not_run};
 use crate::proof::Wall;
-use crate::results::{Check, Class, Judged, Lesson, Outcome, Pictures, Work};
+use crate::results::{Check, Class, Judged, Lesson, Look, Outcome, Pictures, Work, total};
 
 /// The page as `templates/report.html` lays it out.
 #[derive(Template)]
@@ -15,8 +15,11 @@ struct Page<'a> {
     seed: u64,
     lessons: &'a [Lesson],
     walls: &'a [Wall],
+    /// Whose, of which lessons, and what a person has to look at.
+    looks: Vec<(&'a str, String, &'a Look)>,
     students: Vec<Student<'a>>,
     points: u32,
+    /// Of those who are graded.
     mean: String,
 }
 
@@ -25,21 +28,23 @@ struct Student<'a> {
     id: String,
     name: &'a str,
     works: Vec<Part<'a>>,
-    earned: u32,
+    /// Points, or a dash.
+    earned: String,
     /// All states, for the filter.
     states: String,
 }
 
 struct Part<'a> {
     lesson: &'a Lesson,
-    earned: u32,
+    /// Points, or a dash.
+    earned: String,
     state: &'a str,
     /// The state as a name of a style.
     class: String,
     /// Who handed in the same text, and is shown above.
     same_as: Option<Shown<'a>>,
     /// Why it was not run, and what was said.
-    not_run: Option<(&'a str, &'a str)>,
+    not_run: Option<(&'a str, String)>,
     checks: Vec<Row<'a>>,
     printed: &'a str,
 }
@@ -69,13 +74,17 @@ pub(super) fn page(class: &Class) -> anyhow::Result<String> {
             parts.push(part(work, &class.lessons[lesson], same_as));
         }
         let states = parts.iter().map(|part| part.class.as_str()).collect::<Vec<_>>().join(" ");
-        let earned = works.iter().map(Work::earned).sum();
-        students.push(Student { id, name, works: parts, earned, states });
+        students.push(Student { id, name, works: parts, earned: points(total(works)), states });
     }
-    let sum: u32 = students.iter().map(|student| student.earned).sum();
-    let mean = format!("{:.1}", f64::from(sum) / students.len().max(1) as f64);
+    let graded: Vec<u32> = class.submissions.values().filter_map(|works| total(works)).collect();
+    let mean = format!("{:.1}", f64::from(graded.iter().sum::<u32>()) / graded.len().max(1) as f64);
     let (lessons, walls) = (&class.lessons, &class.walls);
-    Ok(Page { seed: class.seed, lessons, walls, students, points: class.points(), mean }.render()?)
+    let (looks, points) = (class.looks(), class.points());
+    Ok(Page { seed: class.seed, lessons, walls, looks, students, points, mean }.render()?)
+}
+
+fn points(earned: Option<u32>) -> String {
+    earned.map_or_else(|| "–".into(), |points| points.to_string())
 }
 
 fn part<'a>(work: &'a Work, lesson: &'a Lesson, same_as: Option<Shown<'a>>) -> Part<'a> {
@@ -93,7 +102,7 @@ fn part<'a>(work: &'a Work, lesson: &'a Lesson, same_as: Option<Shown<'a>>) -> P
     };
     Part {
         lesson,
-        earned: work.earned(),
+        earned: points(work.earned()),
         state: work.state(),
         class: work.state().replace(' ', "-"),
         same_as,

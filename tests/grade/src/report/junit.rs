@@ -29,7 +29,11 @@ fn cases(work: &Work, lesson: &Lesson) -> Vec<TestCase> {
         let status = match why.first().and_then(|line| line.lines().next()) {
             None => TestCaseStatus::success(),
             Some(line) => {
-                let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+                let kind = match work.outcome {
+                    Outcome::NotGraded(_) => NonSuccessKind::Error,
+                    _ => NonSuccessKind::Failure,
+                };
+                let mut status = TestCaseStatus::non_success(kind);
                 status.set_message(line).set_description(why.join("\n"));
                 status
             }

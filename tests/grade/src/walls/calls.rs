@@ -12,6 +12,8 @@ use super::Role;
 
 /// What a calculation needs: its memory, the files that the other wall leaves it, the clock, an end. A list of
 /// what is allowed, since a program is no longer a matter of what its source could name.
+///
+/// Nothing in it waits, since a limit on CPU time would never end that: a sleep is over at once.
 const CALCULATION: &[i64] = &[
     libc::SYS_brk,
     libc::SYS_clock_getres,
@@ -25,7 +27,6 @@ const CALCULATION: &[i64] = &[
     libc::SYS_exit_group,
     libc::SYS_faccessat,
     libc::SYS_fstat,
-    libc::SYS_futex,
     libc::SYS_getcwd,
     libc::SYS_getpid,
     libc::SYS_getrandom,
@@ -39,7 +40,6 @@ const CALCULATION: &[i64] = &[
     libc::SYS_nanosleep,
     libc::SYS_newfstatat,
     libc::SYS_openat,
-    libc::SYS_ppoll,
     libc::SYS_pread64,
     libc::SYS_read,
     libc::SYS_readv,
@@ -62,16 +62,12 @@ const CALCULATION: &[i64] = &[
 
 /// The same under the names that only this processor has.
 #[cfg(target_arch = "x86_64")]
-const CALCULATION_HERE: &[i64] = &[
-    libc::SYS_access,
-    libc::SYS_arch_prctl,
-    libc::SYS_open,
-    libc::SYS_poll,
-    libc::SYS_stat,
-    libc::SYS_lstat,
-];
+const CALCULATION_HERE: &[i64] =
+    &[libc::SYS_access, libc::SYS_arch_prctl, libc::SYS_open, libc::SYS_stat, libc::SYS_lstat];
+/// Here what looks at descriptors when a program starts could also wait; how long stands in memory, where a filter
+/// cannot look.
 #[cfg(not(target_arch = "x86_64"))]
-const CALCULATION_HERE: &[i64] = &[];
+const CALCULATION_HERE: &[i64] = &[libc::SYS_ppoll];
 
 /// What neither a compiler nor a linker has to do.
 const NOT_FOR_COMPILERS: &[i64] = &[
@@ -102,7 +98,15 @@ type Rules = BTreeMap<i64, Vec<SeccompRule>>;
 pub(super) fn restrict(role: Role) -> anyhow::Result<()> {
     let refuse = SeccompAction::Errno(libc::EPERM as u32);
     let filters = match role {
-        Role::Program => vec![filter(calculation()?, refuse, SeccompAction::Allow)?],
+        Role::Program => {
+            let sleep = [libc::SYS_clock_nanosleep, libc::SYS_nanosleep].map(|call| (call, vec![]));
+            // No error: it is done, and nothing was done.
+            let done = SeccompAction::Errno(0);
+            vec![
+                filter(Rules::from(sleep), SeccompAction::Allow, done)?,
+                filter(calculation()?, refuse, SeccompAction::Allow)?,
+            ]
+        }
         Role::Linker => vec![filter(for_compilers()?, SeccompAction::Allow, refuse)?],
         Role::Compiler => {
             let mut rules = for_compilers()?;
@@ -121,6 +125,11 @@ pub(super) fn restrict(role: Role) -> anyhow::Result<()> {
 
 fn calculation() -> anyhow::Result<Rules> {
     let mut rules: Rules = CALCULATION.iter().chain(CALCULATION_HERE).map(|&call| (call, vec![])).collect();
+    // To wake a thread is harmless; to wait for one would last for ever.
+    let command = SeccompCmpOp::MaskedEq(0x7f);
+    rules.insert(libc::SYS_futex, vec![only_if(1, command, libc::FUTEX_WAKE as u64)?]);
+    #[cfg(target_arch = "x86_64")]
+    rules.insert(libc::SYS_poll, vec![only_if(2, SeccompCmpOp::Eq, 0)?]);
     // abort() signals the process itself; nothing signals another one.
     let own = u64::from(std::process::id());
     rules.insert(libc::SYS_tgkill, vec![only_if(0, SeccompCmpOp::Eq, own)?]);

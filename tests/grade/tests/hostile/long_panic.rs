@@ -1,0 +1,1 @@
+fn attempt() -> bool { panic!("{}", "too long ".repeat(5 << 20)) }
