@@ -24,6 +24,14 @@ impl Threads {
         Self((count > 1).then(pool))
     }
 
+    /// Does some work on one of the threads, from where the others are soon at hand.
+    pub(crate) fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        match &self.0 {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
     /// Does some work with each of these.
     pub(crate) fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
         match &self.0 {

@@ -38,6 +38,13 @@ use tile::{SIDE, Tile};
 /// What draws a scene in tiles, with all the memory that it takes, kept from frame to frame.
 pub struct Sixteen {
     threads: Threads,
+    tiled: Tiled,
+    /// Pictures of one sample a pixel.
+    loops: Loops,
+}
+
+/// What draws pictures of sixteen samples a pixel.
+struct Tiled {
     level: Level,
     /// For the vertices, and for the pixels.
     lamps: (Lamps, Vec<Lamp>),
@@ -47,8 +54,6 @@ pub struct Sixteen {
     by_tile: Vec<Vec<u32>>,
     /// For each thread what it works with.
     desks: Vec<Mutex<Desk>>,
-    /// Pictures of one sample a pixel.
-    loops: Loops,
 }
 
 /// A tile, and the fragments in it that are not shaded yet.
@@ -65,27 +70,35 @@ impl Sixteen {
     /// Where the system starts no thread.
     #[must_use]
     pub fn new(threads: usize) -> Self {
-        Self {
-            threads: Threads::new(threads),
+        let tiled = Tiled {
             level: Level::new(),
             lamps: Default::default(),
             vertices: Vec::new(),
             triangles: Vec::new(),
             by_tile: Vec::new(),
             desks: (0..threads.max(1)).map(|_| Mutex::default()).collect(),
-            loops: Loops::default(),
-        }
+        };
+        Self { threads: Threads::new(threads), tiled, loops: Loops::default() }
     }
 
     /// The same with the instructions of that level, one that the machine has.
     #[must_use]
     pub fn at_level(self, level: Level) -> Self {
-        Self { level, ..self }
+        Self { tiled: Tiled { level, ..self.tiled }, ..self }
     }
+}
 
+impl Tiled {
     /// Computes the vertices of a pass, and sorts its triangles into tiles.
-    fn sort(&mut self, number: usize, pass: &Pass, style: Style, picture: Bounds) -> Counts {
-        let Self { threads, lamps, vertices, triangles, by_tile, .. } = self;
+    fn sort(
+        &mut self,
+        threads: &Threads,
+        number: usize,
+        pass: &Pass,
+        style: Style,
+        picture: Bounds,
+    ) -> Counts {
+        let Self { lamps, vertices, triangles, by_tile, .. } = self;
         let size = (picture.max + 1).as_vec2();
         let across = tiles(picture).x;
         let corners = Corners { number, pass, placed: pass.placed(&lamps.0), style, size };
@@ -151,9 +164,17 @@ fn tiles(picture: Bounds) -> IVec2 {
 
 impl Renderer for Sixteen {
     fn draw(&mut self, frame: &Frame, picture: &mut Image) -> Counts {
-        if !frame.antialiased {
-            return self.loops.draw(frame, picture);
+        let Self { threads, tiled, loops } = self;
+        if frame.antialiased {
+            threads.run(|| tiled.draw(threads, frame, picture))
+        } else {
+            loops.draw(frame, picture)
         }
+    }
+}
+
+impl Tiled {
+    fn draw(&mut self, threads: &Threads, frame: &Frame, picture: &mut Image) -> Counts {
         let (scene, bounds) = (frame.scene, picture.bounds());
         self.lamps.0.set(&scene.lights);
         self.lamps.1.clear();
@@ -165,7 +186,7 @@ impl Renderer for Sixteen {
         let mut counts = Counts::default();
         let passes: Vec<Pass> = frame.passes().collect();
         for (number, pass) in passes.iter().enumerate() {
-            counts += self.sort(number, pass, scene.style, bounds);
+            counts += self.sort(threads, number, pass, scene.style, bounds);
         }
         let looks: Vec<Look> =
             passes.iter().map(|pass| Look::new(pass, scene.style, &self.lamps.1)).collect();
@@ -180,7 +201,7 @@ impl Renderer for Sixteen {
         };
         // A picture without pixels has no row.
         let row = (SIDE as usize * 3 * picture.width() as usize).max(1);
-        self.threads.each_piece(picture.buffer_mut(), row, |row, bytes| sorted.draw_row(row, bytes));
+        threads.each_piece(picture.buffer_mut(), row, |row, bytes| sorted.draw_row(row, bytes));
         counts
     }
 }
