@@ -11,6 +11,7 @@
 //! | `{{value TABLE ROW... COLUMN}}` | a cell of `charts/TABLE.csv` |
 //! | `{{ratio TABLE ROW OVER COLUMN}}` | how many times as large it is in one row as in another |
 //! | `{{results TABLE COLUMN=Heading...}}` | columns of the table |
+//! | `{{cross TABLE DOWN ACROSS COLUMN}}` | a column of the table, by two others |
 //! | `{{insert NAME}}` | the page `charts/NAME.md`, which was written with the charts |
 //! | `{{quiz}} Question`, then a list | a question with answers to choose from; see [`quiz`] |
 //! | `{{methods TABLE}}`, `{{all-methods}}` | a lesson's table of methods, or all of them |
@@ -303,6 +304,9 @@ impl Writer<'_> {
                     named.iter().map(|(column, name)| (*column, name.as_str())).collect();
                 Table::read(charts, table)?.markdown(&named)?
             }
+            ["cross", table, down, across, column] => {
+                Table::read(charts, table)?.crossed(down, across, column)?
+            }
             ["insert", name] => {
                 let file = charts.join(name).with_extension("md");
                 std::fs::read_to_string(file).with_context(|| format!("there is no charts/{name}.md"))?
@@ -527,6 +531,7 @@ mod tests {
             ("{{value t a speed}}", "no column `speed`"),
             ("{{ratio t a c error}}", "no row `c`"),
             ("{{results t method=Method speed=Speed}}", "no column `speed`"),
+            ("{{cross t method speed error}}", "no column `speed`"),
             ("{{insert none}}", "there is no charts/none.md"),
             ("{{methods 99-none}}", "there is no table `99-none`"),
             ("{{nonsense}}", "means nothing here"),

@@ -94,6 +94,53 @@ impl Table {
         }
         Ok(lines.join("\n"))
     }
+
+    /// A column's cells by two others: a row for each value of `down`, a column for each of `across`, both in the order in which they
+    /// first come. Cells of the same two stand side by side.
+    ///
+    /// # Errors
+    /// Where there is no such column.
+    pub(crate) fn crossed(&self, down: &str, across: &str, column: &str) -> anyhow::Result<String> {
+        let at = |name: &str| {
+            let found = self.columns.iter().position(|column| column == name);
+            found.with_context(|| {
+                format!("charts/{}.csv has no column `{name}`, but {}", self.name, self.columns.join(", "))
+            })
+        };
+        let [down_at, across_at, column_at] = [at(down)?, at(across)?, at(column)?];
+        let different = |at: usize| {
+            let mut all: Vec<&str> = Vec::new();
+            for row in &self.rows {
+                if !all.contains(&row[at].as_str()) {
+                    all.push(&row[at]);
+                }
+            }
+            all
+        };
+        let names = different(across_at);
+        let mut lines = vec![
+            format!("| {down} | {} |", names.join(" | ")),
+            format!("|---|{}", "--:|".repeat(names.len())),
+        ];
+        for key in different(down_at) {
+            let cell = |name: &&str| {
+                let found = self.rows.iter().filter(|row| row[down_at] == key && row[across_at] == **name);
+                found.map(|row| rounded(&row[column_at])).collect::<Vec<_>>().join(" / ")
+            };
+            lines.push(format!("| {key} | {} |", names.iter().map(cell).collect::<Vec<_>>().join(" | ")));
+        }
+        Ok(lines.join("\n"))
+    }
+}
+
+/// A number in three digits, as long as all before its point are there; other words stay.
+fn rounded(cell: &str) -> String {
+    let Ok(number) = cell.parse::<f64>() else { return cell.into() };
+    if number == 0.0 || !number.is_finite() {
+        return cell.into();
+    }
+    let digits = (2.0 - number.abs().log10().floor()).max(0.0) as usize;
+    format!("{number:.digits$}")
 }
 
 /// The methods of these rows that are exact, as the facts tell that were written when the table was measured, or the
@@ -153,6 +200,20 @@ mod tests {
     fn a_cell_is_found_by_the_first_cells_of_its_row() {
         assert_eq!(table().cell(&["a"], "error").unwrap(), "0.5");
         assert_eq!(table().cell(&["a", "10"], "error").unwrap(), "2");
+    }
+
+    #[test]
+    fn cells_are_put_where_their_row_and_column_meet() {
+        let crossed = table().crossed("method", "stress", "error").unwrap();
+        assert_eq!(
+            crossed,
+            "| method | 1 | 10 |\n|---|--:|--:|\n| a | 0.500 | 2.00 |\n| b | nan |  |\n| c | 0.00210 |  |"
+        );
+        let mut twice = table();
+        twice.rows[1][1] = "1".into();
+        assert!(twice.crossed("method", "stress", "error").unwrap().contains("| a | 0.500 / 2.00 |"));
+        let error = table().crossed("method", "speed", "error").unwrap_err().to_string();
+        assert!(error.contains("no column `speed`, but method, stress, error"), "{error}");
     }
 
     #[test]

@@ -30,6 +30,8 @@ pub(crate) mod perspective;
 pub(crate) mod scene;
 #[path = "../../lessons/09-shaders/mod.rs"]
 pub(crate) mod shaders;
+#[path = "../../lessons/17-speed/mod.rs"]
+pub(crate) mod speed;
 #[path = "../../lessons/05-textures/mod.rs"]
 pub(crate) mod textures;
 #[path = "../../lessons/07-transforms/mod.rs"]
@@ -59,6 +61,7 @@ pub const LESSONS: &[Lesson] = &[
     blending::LESSON,
     antialiasing::LESSON,
     scene::LESSON,
+    speed::LESSON,
 ];
 
 /// What the book shows of a lesson.

@@ -11,6 +11,7 @@ mod digits;
 mod draw;
 mod edges;
 mod far;
+mod fast;
 mod finding;
 pub(crate) mod finish;
 mod flight;
@@ -79,6 +80,10 @@ const COMPARISONS: &[Comparison] = &[
     scenes::FRAME,
     scenes::OUTSIDE,
     scenes::HEADS,
+    fast::FRONT,
+    fast::BACK,
+    fast::THREADS,
+    fast::ROOFLINE,
     needs::COMPARISON,
     head::COMPARISON,
     finish::COMPARISON,

@@ -163,8 +163,8 @@ pub(crate) const FIGURES: &[Figure] = &[
 ];
 
 /// The camera of the lesson's picture.
-const EYE: Vec3 = Vec3::new(2.0, 0.2, 3.3);
-const CENTER: Vec3 = Vec3::new(0.3, -0.35, 0.0);
+pub(crate) const EYE: Vec3 = Vec3::new(2.0, 0.2, 3.3);
+pub(crate) const CENTER: Vec3 = Vec3::new(0.3, -0.35, 0.0);
 
 /// A model with its mesh and a texture with all its levels.
 pub(crate) struct Subject {
@@ -202,7 +202,7 @@ pub(crate) fn of_light() -> anyhow::Result<Mipmap> {
     Ok(*method(MIPMAPS, "box-linear")?)
 }
 
-fn of_head() -> anyhow::Result<Subject> {
+pub(crate) fn of_head() -> anyhow::Result<Subject> {
     Ok(Subject::new(model()?, texture()?, Wrap::Clamp, of_light()?))
 }
 
@@ -282,7 +282,7 @@ fn in_a_row(pictures: impl IntoIterator<Item = anyhow::Result<Image>>) -> anyhow
 pub(crate) const HALF: u16 = 447;
 pub(crate) const THIRD: u16 = 296;
 
-const LIGHT: Vec3 = Vec3::new(0.4, 0.8, 0.8);
+pub(crate) const LIGHT: Vec3 = Vec3::new(0.4, 0.8, 0.8);
 
 fn head() -> anyhow::Result<Drawing> {
     let subjects = [of_head()?, of_floor()?];

@@ -194,12 +194,18 @@ impl<'a, S: Shader + ?Sized> Stages<'a, S> {
     // ANCHOR: seen
     /// 1. A vertex.
     #[inline]
+    #[must_use]
     pub fn vertex(&self, vertex: &Vertex) -> Computed<S::Varying> {
         let position = self.shader.position(vertex.position as usize);
         let varying = self.shader.corner(vertex.face as usize, vertex.corner as usize);
         let outside = outside(position) & self.rejects;
         let beyond = if outside == 0 { 0 } else { outcode(self.cuts(), position) };
-        Computed { clip: ClipVertex { position, varying }, window: window(position, self.size), outside, beyond }
+        Computed {
+            clip: ClipVertex { position, varying },
+            window: window(position, self.size),
+            outside,
+            beyond,
+        }
     }
 
     /// Calls `visit(counts, constant, corners)` for each triangle that may be seen, wherever its corners are. What is wholly

@@ -99,11 +99,11 @@ impl Footprint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradients {
     /// 1/w, but for a factor that all here have: its coefficients for X, Y and 1, in pixels.
-    inverse_w: DVec3,
+    pub inverse_w: DVec3,
     /// Those of u/w for X and Y.
-    u: DVec2,
+    pub u: DVec2,
     /// Those of v/w for X and Y.
-    v: DVec2,
+    pub v: DVec2,
 }
 
 // ANCHOR: gradients

@@ -46,7 +46,7 @@ pub use entity::Entity;
 pub use levels::{Levels, METHODS};
 pub use mesh::{Mesh, Paint};
 pub use orbit::{Orbit, orbit};
-pub use render::{Counts, render_scene};
+pub use render::{Counts, Renderer, render_scene};
 pub use scene::{Filtering, Scene, Shading, Style};
 pub use shapes::{Shape, Vertex, cube, sphere};
 pub use simulation::Simulation;

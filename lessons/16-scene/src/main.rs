@@ -114,7 +114,7 @@ impl Program for Scenes {
             #[cfg(feature = "window")]
             if !output.has_file() {
                 let size = output.size(self);
-                return scene::window::run(self.simulation(sizes)?, size);
+                return scene::window::run(self.simulation(sizes)?, Target::new(0, 0), size);
             }
             return output.one(self, sizes);
         };

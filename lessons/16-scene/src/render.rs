@@ -9,7 +9,7 @@ use blending::translucent::{Translucent, faded};
 use blending::{DepthTest, Over, State, TwoShift};
 use clipping::Cull;
 use clipping::render::Vertices;
-use common::{Color, Image, Mat4, Vec2, Vec3};
+use common::{Color, Image, Mat3, Mat4, Vec2, Vec3};
 use transforms::inverse::elimination;
 
 use crate::entity::Entity;
@@ -17,9 +17,9 @@ use crate::frustum::{Sphere, pixels_per_unit, sees};
 use crate::kept::Kept;
 use crate::lamps::Lamps;
 use crate::mesh::{Mesh, Paint};
-use crate::scene::{Scene, Shading};
+use crate::scene::{Scene, Shading, Style};
 use crate::shader::{AtPixels, AtVertices, Base, Lighting, Look, Placed, Textured};
-use crate::target::{Queued, Target, canvas};
+use crate::target::{Many, Queued, Single, Target, canvas};
 use crate::wireframe::Wires;
 
 /// What became of entities and of their triangles.
@@ -52,6 +52,24 @@ struct View {
     size: Vec2,
 }
 
+/// What fills triangles: this lesson's loops, or whatever draws the same pixels.
+// ANCHOR: renderer
+pub trait Renderer {
+    /// Draws a frame over a picture of the frame's size, of red, green and blue.
+    fn draw(&mut self, frame: &Frame, picture: &mut Image) -> clipping::Counts;
+}
+// ANCHOR_END: renderer
+
+/// What is to be drawn of a scene.
+pub struct Frame<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Whether a pixel has sixteen samples, or one.
+    pub antialiased: bool,
+    view: View,
+    queue: &'a [Queued],
+}
+
 /// Draws a scene over the target's picture: what is opaque first, the nearest first, since what it hides is then not shaded;
 /// then what one sees through, the farthest first, which leaves no depths behind. How near what is opaque is, is told by the
 /// far end of the sphere that it is within, for the others by its middle. Of surfaces that are equally deep the one drawn first
@@ -61,7 +79,7 @@ struct View {
 /// there is no eye, and nothing but the background is seen.
 // ANCHOR: render_scene
 pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inverse_camera: &Mat4) -> Counts {
-    let Target { antialiased, wireframe, picture, single, many, queue, kept, lamps, wires } = target;
+    let Target { antialiased, wireframe, picture, queue, wires, renderer } = target;
     let to_clip = *projection * *inverse_camera;
     let camera = elimination(inverse_camera);
     let eye = camera.unwrap_or_default().w_axis.truncate();
@@ -71,13 +89,10 @@ pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inver
     if camera.is_some() {
         enqueue(scene, &view, inverse_camera, *wireframe, queue, &mut counts);
     }
-    lamps.set(&scene.lights);
     counts.triangles = if *wireframe {
         draw_wires(scene, &view, queue, *antialiased, wires, picture)
-    } else if *antialiased {
-        draw(scene, &view, queue, lamps, kept, canvas(many, picture), picture)
     } else {
-        draw(scene, &view, queue, lamps, kept, canvas(single, picture), picture)
+        renderer.draw(&Frame { scene, antialiased: *antialiased, view, queue }, picture)
     };
     counts
 }
@@ -139,29 +154,67 @@ fn draw_wires(
     counts
 }
 
+impl<'a> Frame<'a> {
+    /// The entities that are drawn, in this order.
+    pub fn passes(&self) -> impl Iterator<Item = Pass<'a>> {
+        let &Self { scene, view, queue, .. } = self;
+        queue.iter().map(move |queued| {
+            let entity = &scene.entities[queued.entity];
+            let &Queued { to_world, normals_to_world, .. } = queued;
+            Pass {
+                mesh: level(entity, &view, &queued.bounds, 1.0),
+                to_clip: view.to_clip * to_world,
+                to_world,
+                normals_to_world,
+                eye: view.eye,
+                cull: cull(scene, entity),
+                alpha: queued.transparent.then_some(entity.alpha),
+            }
+        })
+    }
+}
+
+/// This lesson's renderer: one mesh after the other, each by a loop compiled for its look, to lesson 15's samples.
+#[derive(Default)]
+pub struct Loops {
+    single: Option<Single>,
+    many: Option<Many>,
+    /// Lists of vertices.
+    kept: Kept,
+    lamps: Lamps,
+}
+
+impl Renderer for Loops {
+    fn draw(&mut self, frame: &Frame, picture: &mut Image) -> clipping::Counts {
+        let Self { single, many, kept, lamps } = self;
+        lamps.set(&frame.scene.lights);
+        if frame.antialiased {
+            draw(frame, lamps, kept, canvas(many, picture), picture)
+        } else {
+            draw(frame, lamps, kept, canvas(single, picture), picture)
+        }
+    }
+}
+
+// ANCHOR: draw
 fn draw<C: Canvas<Stencil = ()>>(
-    scene: &Scene,
-    view: &View,
-    queue: &[Queued],
+    frame: &Frame,
     lamps: &Lamps,
     kept: &mut Kept,
     canvas: &mut C,
     picture: &mut Image,
 ) -> clipping::Counts {
+    let scene = frame.scene;
     canvas.clear(scene.background, false);
     scene.entities.iter().for_each(|entity| reserve(entity, scene.style.shading, kept));
     let mut counts = clipping::Counts::default();
-    for queued in queue {
-        let entity = &scene.entities[queued.entity];
-        let mesh = level(entity, view, &queued.bounds, 1.0);
-        let &Queued { to_world, normals_to_world, .. } = queued;
-        let placed = Placed { mesh, to_world, normals_to_world, eye: view.eye, lamps };
-        let pass = Pass { scene, view, entity, placed, transparent: queued.transparent };
-        counts += pass.draw(kept, canvas);
+    for pass in frame.passes() {
+        counts += pass.draw(scene.style, lamps, kept, canvas);
     }
     canvas.resolve(resolve, picture);
     counts
 }
+// ANCHOR_END: draw
 
 /// Makes room for an entity's vertices, of what its paint and its shading interpolate, in the finest of its levels: a frame in
 /// which it comes nearer, or into the picture, allocates nothing.
@@ -210,24 +263,48 @@ fn cull(scene: &Scene, entity: &Entity) -> Cull {
 }
 
 /// An entity that is drawn.
-struct Pass<'a> {
-    scene: &'a Scene,
-    view: &'a View,
-    entity: &'a Entity,
-    placed: Placed<'a>,
-    transparent: bool,
+#[derive(Clone, Copy)]
+pub struct Pass<'a> {
+    /// Its mesh, as fine as is needed.
+    pub mesh: &'a Mesh,
+    /// From the model's space to clip space.
+    pub to_clip: Mat4,
+    /// From the model's space to the world.
+    pub to_world: Mat4,
+    /// What turns normals likewise.
+    pub normals_to_world: Mat3,
+    /// The eye in the world.
+    pub eye: Vec3,
+    /// Which of its triangles are left out.
+    pub cull: Cull,
+    /// What its colours' alpha is multiplied by where one sees through it: then it is laid over what is there, and leaves no
+    /// depths behind.
+    pub alpha: Option<f32>,
 }
 
 // ANCHOR: pass
-impl Pass<'_> {
-    fn draw<C: Canvas<Stencil = ()>>(&self, kept: &mut Kept, canvas: &mut C) -> clipping::Counts {
-        let mesh = self.placed.mesh;
-        match mesh.paint() {
-            Paint::Color(color) => self.colored(*color, kept, canvas),
-            Paint::Colors(colors) => self.colored(&colors[..], kept, canvas),
+impl<'a> Pass<'a> {
+    /// Its place, lit by these.
+    #[must_use]
+    pub fn placed(&self, lamps: &'a Lamps) -> Placed<'a> {
+        let Self { mesh, to_world, normals_to_world, eye, .. } = *self;
+        Placed { mesh, to_world, normals_to_world, eye, lamps }
+    }
+
+    fn draw<C: Canvas<Stencil = ()>>(
+        &self,
+        style: Style,
+        lamps: &Lamps,
+        kept: &mut Kept,
+        canvas: &mut C,
+    ) -> clipping::Counts {
+        let (placed, shading) = (self.placed(lamps), style.shading);
+        match self.mesh.paint() {
+            Paint::Color(color) => self.colored(*color, placed, shading, kept, canvas),
+            Paint::Colors(colors) => self.colored(&colors[..], placed, shading, kept, canvas),
             Paint::Texture(texture) => {
-                let (uvs, filter, size) = (mesh.uvs(), self.scene.style.filter, canvas.size());
-                self.colored(Textured { texture, uvs, filter, size }, kept, canvas)
+                let (uvs, filter, size) = (self.mesh.uvs(), style.filter, canvas.size());
+                self.colored(Textured { texture, uvs, filter, size }, placed, shading, kept, canvas)
             }
         }
     }
@@ -235,13 +312,15 @@ impl Pass<'_> {
     fn colored<C: Canvas<Stencil = ()>>(
         &self,
         base: impl Base,
+        placed: Placed,
+        shading: Shading,
         kept: &mut Kept,
         canvas: &mut C,
     ) -> clipping::Counts {
-        match self.scene.style.shading {
+        match shading {
             Shading::Unlit => self.lit(base, (), kept, canvas),
-            Shading::Phong => self.lit(base, AtVertices(self.placed), kept, canvas),
-            Shading::BlinnPhong => self.lit(base, AtPixels(self.placed), kept, canvas),
+            Shading::Phong => self.lit(base, AtVertices(placed), kept, canvas),
+            Shading::BlinnPhong => self.lit(base, AtPixels(placed), kept, canvas),
         }
     }
 
@@ -252,14 +331,12 @@ impl Pass<'_> {
         kept: &mut Kept,
         canvas: &mut C,
     ) -> clipping::Counts {
-        let Placed { mesh, to_world, .. } = self.placed;
-        let to_clip = self.view.to_clip * to_world;
+        let Self { mesh, to_clip, cull, .. } = *self;
         let look = Look { mesh, to_clip, base, lighting };
-        let (mesh, cull) = (mesh.assembled(), cull(self.scene, self.entity));
-        if !self.transparent {
-            return render_with(kept.of(), &look, mesh, cull, State::OFF, canvas);
-        }
-        let shader = Translucent { shader: look, alpha: self.entity.alpha, vertices: () };
+        let Some(alpha) = self.alpha else {
+            return render_with(kept.of(), &look, mesh.assembled(), cull, State::OFF, canvas);
+        };
+        let shader = Translucent { shader: look, alpha, vertices: () };
         let state = State {
             scissor: (),
             stencil: (),
@@ -267,7 +344,7 @@ impl Pass<'_> {
             blend: Over::<TwoShift>::default(),
             mask: (),
         };
-        render_with(kept.of(), &shader, mesh, cull, state, canvas)
+        render_with(kept.of(), &shader, mesh.assembled(), cull, state, canvas)
     }
 }
 // ANCHOR_END: pass

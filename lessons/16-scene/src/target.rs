@@ -6,8 +6,7 @@ use antialiasing::storage::{Compressed, Samples};
 use common::{Format, Image, Mat3, Mat4};
 
 use crate::frustum::Sphere;
-use crate::kept::Kept;
-use crate::lamps::Lamps;
+use crate::render::{Loops, Renderer};
 use crate::wireframe::Wires;
 
 /// One sample a pixel.
@@ -34,30 +33,28 @@ pub struct Target {
     /// Whether the sides of triangles are drawn instead of what is within them.
     pub wireframe: bool,
     pub(crate) picture: Image,
-    pub(crate) single: Option<Single>,
-    pub(crate) many: Option<Many>,
     pub(crate) queue: Vec<Queued>,
-    /// Lists of vertices.
-    pub(crate) kept: Kept,
-    /// The lights, made ready for shaders.
-    pub(crate) lamps: Lamps,
     pub(crate) wires: Wires,
+    pub(crate) renderer: Box<dyn Renderer>,
 }
 
 impl Target {
-    /// Black, of that size in pixels.
+    /// Black, of that size in pixels, for this lesson's renderer.
     #[must_use]
     pub fn new(width: u16, height: u16) -> Self {
+        Self::with(Box::new(Loops::default()), width, height)
+    }
+
+    /// The same for any renderer.
+    #[must_use]
+    pub fn with(renderer: Box<dyn Renderer>, width: u16, height: u16) -> Self {
         Self {
             antialiased: false,
             wireframe: false,
             picture: Image::new(width, height, Format::Rgb),
-            single: None,
-            many: None,
             queue: Vec::new(),
-            kept: Kept::default(),
-            lamps: Lamps::default(),
             wires: Wires::default(),
+            renderer,
         }
     }
 
@@ -76,14 +73,16 @@ impl Target {
     /// Makes the picture one of another size, and black; of the same size it stays what it is.
     pub fn resize(&mut self, width: u16, height: u16) {
         if [self.picture.width(), self.picture.height()] != [width, height].map(i32::from) {
-            let Self { antialiased, wireframe, .. } = *self;
-            *self = Self { antialiased, wireframe, ..Self::new(width, height) };
+            self.picture = Image::new(width, height, Format::Rgb);
         }
     }
 }
 
-/// A canvas for such a picture, made when it is first asked for.
+/// A canvas for such a picture, made when it is first asked for and when the size is another one.
 pub(crate) fn canvas<'a, C: Canvas>(kept: &'a mut Option<C>, picture: &Image) -> &'a mut C {
+    if kept.as_ref().is_some_and(|canvas| canvas.size() != picture.size()) {
+        *kept = None;
+    }
     kept.get_or_insert_with(|| C::new([picture.width(), picture.height()].map(|side| side as usize)))
 }
 

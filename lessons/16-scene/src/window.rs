@@ -31,18 +31,19 @@ use crate::target::Target;
 use keyboard::{Down, key};
 use pace::Pace;
 
-/// Shows a simulation until Escape is pressed or the window closed; no window where it is over already. At first the window is
-/// so wide and so high, in pixels of a screen whose scale is 1.
+/// Shows a simulation, drawn to a target that is made as large as the window, until Escape is pressed or the window closed; no
+/// window where it is over already. At first the window is so wide and so high, in pixels of a screen whose scale is 1.
 ///
 /// # Errors
 /// Where there is no display, or the system gives no window or no pixels.
-pub fn run(simulation: &mut Simulation, (width, height): (u16, u16)) -> anyhow::Result<()> {
+pub fn run(simulation: &mut Simulation, target: Target, (width, height): (u16, u16)) -> anyhow::Result<()> {
     if simulation.is_over() {
         return Ok(());
     }
     let events = event_loop()?;
     let mut app = App {
         simulation,
+        target: Some(target),
         size: LogicalSize::new(width, height),
         shown: None,
         down: Down::default(),
@@ -78,6 +79,8 @@ fn reason(error: &str) -> &str {
 /// A simulation, and its window once there is one.
 struct App<'a> {
     simulation: &'a mut Simulation,
+    /// What is drawn to, until the window has it.
+    target: Option<Target>,
     /// The window's size at first.
     size: LogicalSize<u16>,
     shown: Option<Shown>,
@@ -116,11 +119,10 @@ impl App<'_> {
 
 impl ApplicationHandler for App<'_> {
     fn resumed(&mut self, events: &ActiveEventLoop) {
-        if self.shown.is_none() {
-            match Shown::open(events, self.size) {
-                Ok(shown) => self.shown = Some(shown),
-                Err(error) => self.end(events, Err(error)),
-            }
+        let Some(target) = self.target.take() else { return };
+        match Shown::open(events, self.size, target) {
+            Ok(shown) => self.shown = Some(shown),
+            Err(error) => self.end(events, Err(error)),
         }
     }
 
@@ -219,7 +221,7 @@ struct Shown {
 }
 
 impl Shown {
-    fn open(events: &ActiveEventLoop, size: LogicalSize<u16>) -> anyhow::Result<Self> {
+    fn open(events: &ActiveEventLoop, size: LogicalSize<u16>, target: Target) -> anyhow::Result<Self> {
         let attributes = Window::default_attributes().with_title("scene").with_inner_size(size);
         let no_window = |error: &dyn std::fmt::Display| {
             anyhow!("the display gives no window ({error}): --out FILE draws into a file instead")
@@ -231,7 +233,7 @@ impl Shown {
             size: window.inner_size(),
             window,
             surface,
-            target: Target::new(0, 0),
+            target,
             pace: Pace::new(),
             is_stale: true,
             is_occluded: false,

@@ -9,6 +9,7 @@ use crate::render::{Job, shade};
 use crate::simd::from_least;
 use crate::tile::{NONE, Tile};
 
+// ANCHOR: see
 /// Notes that a triangle is seen in some of eight pixels.
 #[inline(always)]
 pub(crate) fn see<S: Simd>(
@@ -22,11 +23,12 @@ pub(crate) fn see<S: Simd>(
     let lanes = mask(simd, lanes);
     let seen = &mut tile.seen[place..place + 8];
     lanes.select(u32x8::splat(simd, number), u32x8::from_slice(simd, seen)).store_slice(seen);
-    for n in 0..3 {
-        let kept = &mut tile.weights[n][place..place + 8];
-        lanes.select(weights[n], f32x8::from_slice(simd, kept)).store_slice(kept);
+    for (weight, kept) in weights.into_iter().zip(&mut tile.weights) {
+        let kept = &mut kept[place..place + 8];
+        lanes.select(weight, f32x8::from_slice(simd, kept)).store_slice(kept);
     }
 }
+// ANCHOR_END: see
 
 /// Writes down, pixel by pixel, the triangle that is seen in all of a block.
 #[inline(always)]

@@ -6,6 +6,9 @@ use shaders::shader::{Fragment, Shader, Varying};
 
 use crate::triangle::Ready;
 
+/// Some of eight pixels, a bit each, and the triangle that is seen there.
+pub(crate) type Part<'a, C, V> = (u8, &'a Ready<C, V>);
+
 /// Eight pixels beside each other, and the triangles that are seen in them: mostly one.
 pub struct Eight<'a, S: Simd, C, V> {
     /// The column of the first.
@@ -18,7 +21,7 @@ pub struct Eight<'a, S: Simd, C, V> {
     pub depths: f32x8<S>,
     /// The weights of the three corners, on the triangle in space.
     pub weights: [f32x8<S>; 3],
-    pub(crate) parts: &'a [(u8, &'a Ready<C, V>)],
+    pub(crate) parts: &'a [Part<'a, C, V>],
 }
 
 impl<S: Simd, C: Copy, V: Varying> Eight<'_, S, C, V> {
@@ -54,11 +57,12 @@ impl<S: Simd, C: Copy, V: Varying> Eight<'_, S, C, V> {
     }
 }
 
+// ANCHOR: corners
 /// What the three corners have, at each pixel those of the triangle that is seen there.
 #[inline(always)]
 pub(crate) fn corners<S: Simd, C, V>(
     simd: S,
-    parts: &[(u8, &Ready<C, V>)],
+    parts: &[Part<C, V>],
     numbers: impl Fn(&Ready<C, V>) -> [f32; 3],
 ) -> [f32x8<S>; 3] {
     let [a, b, c] = numbers(parts[0].1);
@@ -72,6 +76,7 @@ pub(crate) fn corners<S: Simd, C, V>(
     }
     all
 }
+// ANCHOR_END: corners
 
 /// A shader that can be asked for eight pixels at once.
 pub trait Wide: Shader<Output = Color> + Sync {

@@ -23,6 +23,7 @@ pub mod frame;
 mod hierarchical_depth;
 mod render;
 mod simd;
+pub mod sixteen;
 mod threads;
 mod tile;
 mod tiles;
@@ -65,12 +66,15 @@ pub struct Picture<'a> {
 /// Who draws one picture after another, all of one size, over whatever was in it.
 pub type Drawer = Box<dyn FnMut(&Picture, &mut Image) -> Counts>;
 
+/// Makes a drawer for pictures of a size.
+type Start = fn(Option<Plan>, [i32; 2]) -> Drawer;
+
 /// A method.
 pub struct Renderer {
     /// Which ideas it uses, if it draws in tiles.
     pub plan: Option<Plan>,
     /// Who draws by it, for each row of lesson 13's table of filters.
-    start: [fn(Option<Plan>, [i32; 2]) -> Drawer; 5],
+    start: [Start; 5],
 }
 
 impl Renderer {

@@ -5,7 +5,7 @@ use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 
 use crate::blocks::{Cover, SIDE, cover};
 use crate::deferred::{see, shade_block, spell_out};
-use crate::eight::{Eight, Wide, corners, mask};
+use crate::eight::{Eight, Part, Wide, corners, mask};
 use crate::frame::Plan;
 use crate::hierarchical_depth::Plane;
 use crate::simd::{Row, from_least};
@@ -106,6 +106,7 @@ impl<W: Wide> Job<'_, W> {
         }
     }
 
+    // ANCHOR: large
     /// A wider one, block by block.
     #[inline(always)]
     fn large<S: Simd>(
@@ -161,7 +162,9 @@ impl<W: Wide> Job<'_, W> {
             }
         }
     }
+    // ANCHOR_END: large
 
+    // ANCHOR: eight
     /// Tests and draws those of eight pixels that are covered.
     #[inline(always)]
     fn eight<S: Simd>(
@@ -189,6 +192,7 @@ impl<W: Wide> Job<'_, W> {
         }
         mask(simd, drawn).select(depths, kept).store_slice(&mut tile.depths[place..place + 8]);
     }
+    // ANCHOR_END: eight
 }
 
 /// Shades those of eight pixels that are asked for; returns which have a colour.
@@ -197,7 +201,7 @@ impl<W: Wide> Job<'_, W> {
 pub(crate) fn shade<S: Simd, W: Wide>(
     simd: S,
     shader: &W,
-    parts: &[(u8, &Ready<W::Constant, W::Varying>)],
+    parts: &[Part<W::Constant, W::Varying>],
     [x, y]: [i32; 2],
     weights: [f32x8<S>; 3],
     depths: f32x8<S>,
@@ -213,7 +217,11 @@ pub(crate) fn shade<S: Simd, W: Wide>(
 
 /// The weights on the triangles in space from those in the picture, as lesson 10's `perspective_weights` has them.
 #[inline(always)]
-fn in_space<S: Simd, C, V>(simd: S, parts: &[(u8, &Ready<C, V>)], [x, y, z]: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+pub(crate) fn in_space<S: Simd, C, V>(
+    simd: S,
+    parts: &[Part<C, V>],
+    [x, y, z]: [f32x8<S>; 3],
+) -> [f32x8<S>; 3] {
     let [a, b, c] = corners(simd, parts, |triangle| triangle.inverse_w.to_array());
     let least = a.min(b).min(c);
     let sum = least + ((a - least) * x + (b - least) * y + (c - least) * z);

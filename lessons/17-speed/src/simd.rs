@@ -17,6 +17,7 @@ use crate::triangle::Edges;
 pub(crate) struct Row<S: Simd>([f64x8<S>; 3]);
 
 // Array's own `map` would be compiled without the instructions that these functions are made of.
+// ANCHOR: row
 impl<S: Simd> Row<S> {
     /// From those at the first pixel.
     #[inline(always)]
@@ -46,15 +47,18 @@ impl<S: Simd> Row<S> {
         [narrow(simd, a * per_area), narrow(simd, b * per_area), narrow(simd, c * per_area)]
     }
 }
+// ANCHOR_END: row
 
 /// Numbers that corners have, at eight pixels, from the weights there: measured from the least of them, as lesson 4's
 /// `depth_at` has it.
+// ANCHOR: from_least
 #[inline(always)]
 pub(crate) fn from_least<S: Simd>(simd: S, corners: Vec3, [x, y, z]: [f32x8<S>; 3]) -> f32x8<S> {
     let least = corners.min_element();
     let more = corners - least;
     f32x8::splat(simd, least) + (x * more.x + y * more.y + z * more.z)
 }
+// ANCHOR_END: from_least
 
 impl Edges {
     /// The rows' edge functions from the pixel (x, y) on.

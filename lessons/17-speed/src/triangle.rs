@@ -8,7 +8,7 @@ use triangles::edges::{SUBPIXELS, snap};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ready<C, V> {
     /// Its corners in 1/256 px.
-    corners: [[i32; 2]; 3],
+    pub(crate) corners: [[i32; 2]; 3],
     /// Their depths.
     pub(crate) z: Vec3,
     /// Their 1/w, as shares of the largest.

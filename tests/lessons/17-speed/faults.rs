@@ -210,8 +210,16 @@ pub(crate) const FAULTS: &[Fault<Speed>] = &[
         cause: "only one side is asked: the loop must go on to the others before it says Whole or Part",
         hint: Some(4),
         versions: &[
-            said!(|least, most, inside| judged(DVec3::splat(least.x), DVec3::splat(most.x), DVec3::splat(inside.x))),
-            said!(|least, most, inside| judged(DVec3::splat(least.z), DVec3::splat(most.z), DVec3::splat(inside.z))),
+            said!(|least, most, inside| judged(
+                DVec3::splat(least.x),
+                DVec3::splat(most.x),
+                DVec3::splat(inside.x)
+            )),
+            said!(|least, most, inside| judged(
+                DVec3::splat(least.z),
+                DVec3::splat(most.z),
+                DVec3::splat(inside.z)
+            )),
         ],
     },
     Fault {

@@ -1,0 +1,350 @@
+//! Lesson 16's scene with sixteen samples a pixel, by the ideas of this lesson.
+//!
+//! **Better:** a picture of 1024×768 pixels has 100 MB of samples, which pass through the cache for each surface that is drawn.
+//! Here all triangles of a frame are sorted into tiles first, and a tile is drawn at once, from the first surface to the last,
+//! and resolved: its samples, 132 KB, stay in a core's second cache, and each core needs just one tile. Sixteen samples are
+//! covered and compared by a few instructions; fragments, of whatever triangles, are shaded eight at a time.
+//! **What it costs:** meshes of all looks must be one kind of triangle, so what is interpolated is an array of numbers
+//! ([`corners`]), and what it means is told when the program runs, once for eight fragments.
+//!
+//! Pixels are those of lesson 16's own loops, to the last bit: each number is computed by the same operations in the same
+//! order. With one sample a pixel they draw themselves.
+
+mod corners;
+mod fragments;
+mod light;
+mod raster;
+mod samples;
+mod texture;
+mod tile;
+
+use std::sync::{Mutex, PoisonError};
+
+use clipping::render::{Computed, Stages};
+use clipping::{Clipping, Counts};
+use common::{Bounds, IVec2, Image};
+use fearless_simd::{Level, dispatch};
+use scene::lamps::Lamps;
+use scene::render::{Frame, Loops, Pass, Renderer};
+use scene::scene::Style;
+
+use crate::eight::packed;
+use crate::threads::Threads;
+use corners::{Corners, Numbers, Triangle};
+use fragments::{Fragments, Look};
+use light::Lamp;
+use tile::{SIDE, Tile};
+
+/// What draws a scene in tiles, with all the memory that it takes, kept from frame to frame.
+pub struct Sixteen {
+    threads: Threads,
+    tiled: Tiled,
+    /// Pictures of one sample a pixel.
+    loops: Loops,
+}
+
+/// What draws pictures of sixteen samples a pixel.
+struct Tiled {
+    level: Level,
+    /// For the vertices, and for the pixels.
+    lamps: (Lamps, Vec<Lamp>),
+    vertices: Vec<Computed<Numbers>>,
+    triangles: Vec<Triangle>,
+    /// For each tile the numbers of the triangles that reach into it.
+    by_tile: Vec<Vec<u32>>,
+    /// For each thread what it works with.
+    desks: Vec<Mutex<Desk>>,
+}
+
+/// A tile, and the fragments in it that are not shaded yet.
+#[derive(Default)]
+struct Desk {
+    tile: Tile,
+    fragments: Fragments,
+}
+
+impl Sixteen {
+    /// With so many threads, at least one.
+    ///
+    /// # Panics
+    /// Where the system starts no thread.
+    #[must_use]
+    pub fn new(threads: usize) -> Self {
+        let tiled = Tiled {
+            level: Level::new(),
+            lamps: Default::default(),
+            vertices: Vec::new(),
+            triangles: Vec::new(),
+            by_tile: Vec::new(),
+            desks: (0..threads.max(1)).map(|_| Mutex::default()).collect(),
+        };
+        Self { threads: Threads::new(threads), tiled, loops: Loops::default() }
+    }
+
+    /// The same with the instructions of that level, one that the machine has.
+    #[must_use]
+    pub fn at_level(self, level: Level) -> Self {
+        Self { tiled: Tiled { level, ..self.tiled }, ..self }
+    }
+}
+
+impl Tiled {
+    /// Computes the vertices of a pass, and sorts its triangles into tiles.
+    fn sort(
+        &mut self,
+        threads: &Threads,
+        number: usize,
+        pass: &Pass,
+        style: Style,
+        picture: Bounds,
+    ) -> Counts {
+        let Self { lamps, vertices, triangles, by_tile, .. } = self;
+        let size = (picture.max + 1).as_vec2();
+        let across = tiles(picture).x;
+        let corners = Corners { number, pass, placed: pass.placed(&lamps.0), style, size };
+        let fill = |constant, corners, numbers| {
+            let Some(triangle) = Triangle::new(corners, constant, numbers) else { return };
+            let Bounds { min, max } = triangle.pixels(picture);
+            if max.cmplt(min).any() {
+                return;
+            }
+            let (first, last) = (min / SIDE, max / SIDE);
+            for y in first.y..=last.y {
+                for x in first.x..=last.x {
+                    by_tile[(y * across + x) as usize].push(triangles.len() as u32);
+                }
+            }
+            triangles.push(triangle);
+        };
+        let mesh = pass.mesh.assembled();
+        let stages = Stages::new(&corners, pass.cull, Clipping::GuardBand, size);
+        threads.fill(vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
+        stages.triangles(vertices, mesh.triangles(), fill)
+    }
+}
+
+/// All that is known of a frame once its triangles are sorted.
+struct Sorted<'a> {
+    picture: Bounds,
+    background: u32,
+    looks: &'a [Look<'a>],
+    triangles: &'a [Triangle],
+    by_tile: &'a [Vec<u32>],
+    desks: &'a [Mutex<Desk>],
+    level: Level,
+}
+
+impl Sorted<'_> {
+    /// Draws a row of tiles into its bytes of the picture.
+    fn draw_row(&self, row: usize, bytes: &mut [u8]) {
+        let desk = &self.desks[rayon::current_thread_index().unwrap_or(0) % self.desks.len()];
+        // Each thread has its own, so none waits here.
+        let Desk { tile, fragments } = &mut *desk.lock().unwrap_or_else(PoisonError::into_inner);
+        let max = self.picture.max;
+        let across = tiles(self.picture).x as usize;
+        for (x, numbers) in (0..).zip(&self.by_tile[row * across..(row + 1) * across]) {
+            let min = IVec2::new(x, row as i32) * SIDE;
+            tile.bounds = Bounds { min, max: (min + SIDE - 1).min(max) };
+            tile.clear(self.background);
+            dispatch!(self.level, simd => {
+                if !numbers.is_empty() {
+                    tile.depths.as_flattened_mut().fill(1.0);
+                    raster::draw(simd, self.looks, self.triangles, numbers, tile, fragments);
+                }
+                tile.resolve(simd, bytes, max.x as usize + 1);
+            });
+        }
+    }
+}
+
+/// How many tiles a picture has in a row, and rows of them.
+fn tiles(picture: Bounds) -> IVec2 {
+    (picture.max + SIDE) / SIDE
+}
+
+impl Renderer for Sixteen {
+    fn draw(&mut self, frame: &Frame, picture: &mut Image) -> Counts {
+        let Self { threads, tiled, loops } = self;
+        if frame.antialiased {
+            threads.run(|| tiled.draw(threads, frame, picture))
+        } else {
+            loops.draw(frame, picture)
+        }
+    }
+}
+
+impl Tiled {
+    fn draw(&mut self, threads: &Threads, frame: &Frame, picture: &mut Image) -> Counts {
+        let (scene, bounds) = (frame.scene, picture.bounds());
+        self.lamps.0.set(&scene.lights);
+        self.lamps.1.clear();
+        self.lamps.1.extend(scene.lights.iter().map(Lamp::new));
+        self.triangles.clear();
+        let IVec2 { x: across, y: up } = tiles(bounds);
+        self.by_tile.resize_with((across * up) as usize, Vec::new);
+        self.by_tile.iter_mut().for_each(Vec::clear);
+        let mut counts = Counts::default();
+        let passes: Vec<Pass> = frame.passes().collect();
+        for (number, pass) in passes.iter().enumerate() {
+            counts += self.sort(threads, number, pass, scene.style, bounds);
+        }
+        let looks: Vec<Look> =
+            passes.iter().map(|pass| Look::new(pass, scene.style, &self.lamps.1)).collect();
+        let sorted = Sorted {
+            picture: bounds,
+            background: packed(scene.background),
+            looks: &looks,
+            triangles: &self.triangles,
+            by_tile: &self.by_tile,
+            desks: &self.desks,
+            level: self.level,
+        };
+        // A picture without pixels has no row.
+        let row = (SIDE as usize * 3 * picture.width() as usize).max(1);
+        threads.each_piece(picture.buffer_mut(), row, |row, bytes| sorted.draw_row(row, bytes));
+        counts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    use clipping::Cull;
+    use common::{Color, Format, Mat4, Vec2, Vec3};
+    use filtering::light::SRGB;
+    use filtering::{Texture, Wrap};
+    use lighting::PointLight;
+    use lighting::light::Falloff;
+    use scene::keys::Key;
+    use scene::mesh::Paint;
+    use scene::shapes::{cube, sphere};
+    use scene::versions::in_perspective;
+    use scene::{
+        Entity, Filtering, Levels, METHODS, Mesh, Scene, Shading, Shape, Simulation, Target, VERSIONS,
+        Vertex, render_scene,
+    };
+
+    use super::*;
+
+    fn targets(width: u16, height: u16) -> [Target; 3] {
+        let fast = |threads| Target::with(Box::new(Sixteen::new(threads)), width, height);
+        [Target::new(width, height), fast(1), fast(3)]
+    }
+
+    /// Draws by lesson 16's renderer and by this one with one thread and with three, all of which must agree.
+    fn assert_same(
+        targets: &mut [Target; 3],
+        what: &str,
+        mut draw: impl FnMut(&mut Target) -> scene::Counts,
+    ) {
+        let [counts, one, three] = targets.each_mut().map(&mut draw);
+        assert!(counts == one && counts == three, "{what}: {counts:?}, {one:?}, {three:?}");
+        let [expected, one, three] = targets.each_ref().map(Target::picture);
+        let differ = |other: &Image| expected.pixels().zip(other.pixels()).filter(|(a, b)| a != b).count();
+        assert_eq!((differ(one), differ(three)), (0, 0), "{what}");
+    }
+
+    #[test]
+    fn each_version_is_as_lesson_16_draws_it() {
+        let mut targets = [(131, 97), (64, 32)].map(|(width, height)| targets(width, height));
+        for version in VERSIONS {
+            let mut simulation = Simulation::new(version, METHODS[3].run).unwrap();
+            for keys in [&[][..], &[Key::F1], &[Key::F2], &[Key::F1, Key::W, Key::W, Key::W, Key::Left]] {
+                for &key in keys {
+                    simulation.press(key);
+                    simulation.release(key);
+                    simulation.advance(Duration::from_millis(450));
+                }
+                for targets in &mut targets {
+                    let what = format!("version {}, {keys:?}", version.number);
+                    assert_same(targets, &what, |target| simulation.draw(target));
+                }
+            }
+        }
+    }
+
+    /// Numbers from 0 to 1, of a seed.
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn next(&mut self) -> f32 {
+            self.0 += 1;
+            f32::from(Color::random(self.0).g) / 255.0
+        }
+
+        fn below(&mut self, n: usize) -> usize {
+            ((self.next() * n as f32) as usize).min(n - 1)
+        }
+
+        fn vector(&mut self, reach: f32) -> Vec3 {
+            Vec3::new(self.next() - 0.5, self.next() - 0.5, self.next() - 0.5) * (2.0 * reach)
+        }
+    }
+
+    /// Entities of all looks, through which the eye may reach; textures finer and coarser than pixels, and repeated or not.
+    fn scene(numbers: &mut Numbers) -> Scene {
+        let style = Style {
+            shading: [Shading::Unlit, Shading::Phong, Shading::BlinnPhong][numbers.below(3)],
+            filter: [Filtering::Nearest, Filtering::Bilinear, Filtering::Trilinear][numbers.below(3)],
+            cull: [Cull::None, Cull::Back, Cull::Front][numbers.below(3)],
+        };
+        let entities = (0..1 + numbers.below(6)).map(|_| {
+            let floor = {
+                let corner = |x: f32, z: f32| Vertex {
+                    position: Vec3::new(x, 0.0, z) * 50.0,
+                    normal: Vec3::Y,
+                    uv: Vec2::new(x, z) * 20.0,
+                };
+                let vertices =
+                    [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]].map(|[x, z]| corner(x, z)).to_vec();
+                Shape { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
+            };
+            let shape = vec![cube(), sphere(5, 9), sphere(40, 60), floor].swap_remove(numbers.below(4));
+            let mut color = |n: u64| Color { a: [255, 255, 90][n as usize % 3], ..Color::random(n) };
+            let paint = match numbers.below(3) {
+                0 => Paint::Color(color(numbers.below(200) as u64)),
+                1 => Paint::Colors((0..shape.vertices.len() as u64).map(&mut color).collect()),
+                _ => {
+                    let mut image = Image::new(1 + numbers.below(9) as u16, 7, Format::Rgba);
+                    image.set_all(|n| color(n as u64));
+                    let levels = [image.clone(), image.scale(3, 3), image.scale(1, 1)];
+                    let wrap = [Wrap::Repeat, Wrap::Repeat, Wrap::Clamp, Wrap::Mirror][numbers.below(4)];
+                    Paint::Texture(Arc::new(Texture::of_levels(&levels, wrap, &SRGB)))
+                }
+            };
+            Entity {
+                position: numbers.vector(3.0) - Vec3::new(0.0, 0.0, 3.0),
+                degrees: numbers.vector(180.0),
+                scale: Vec3::ONE + numbers.vector(0.9),
+                alpha: [1.0, 1.0, 0.6][numbers.below(3)],
+                ..Entity::new(Levels::one(Mesh::new(&shape, paint)))
+            }
+        });
+        let entities = entities.collect();
+        let lights = (0..numbers.below(4)).map(|_| PointLight {
+            position: numbers.vector(6.0),
+            diffuse: numbers.next(),
+            specular: numbers.next() - 0.2,
+            shininess: 40.0 * numbers.next(),
+            falloff: [Falloff::None, Falloff::Linear, Falloff::Quadratic][numbers.below(3)],
+            ..PointLight::default()
+        });
+        let lights = lights.map(|light| PointLight { specular: light.specular.max(0.0), ..light }).collect();
+        Scene { entities, lights, background: Color::rgb(10, 20, 30), style }
+    }
+
+    #[test]
+    fn any_scene_is_as_lesson_16_draws_it() {
+        let mut targets = targets(75, 50);
+        targets.iter_mut().for_each(|target| target.antialiased = true);
+        let projection = in_perspective(70.0, Vec2::new(75.0, 50.0));
+        for seed in 0..400 {
+            let scene = scene(&mut Numbers(1000 * seed));
+            assert_same(&mut targets, &format!("seed {seed}"), |target| {
+                render_scene(&scene, target, &projection, &Mat4::IDENTITY)
+            });
+        }
+    }
+}

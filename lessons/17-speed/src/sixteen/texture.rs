@@ -1,0 +1,228 @@
+//! Texels for eight fragments.
+//!
+//! Which texels, and with which shares, is computed for eight at once, by lesson 13's operations in lesson 13's order; they are
+//! fetched and mixed one fragment after the other, since they lie anywhere. Where lesson 13 asks whether a second level is
+//! needed at all, or whether four texels differ, both cost less here than a branch that a processor cannot foresee: between
+//! equal ones lies just the same, and a share of 0 changes nothing.
+
+use common::{Vec2, Vec4};
+use fearless_simd::{Simd, f32x8, f64x8, i32x8, mask64x8, prelude::*, u32x8};
+use filtering::Wrap;
+use filtering::filter::{Filter, Nearest, bilinear, trilinear};
+use filtering::footprint::Gradients;
+use filtering::texture::{Level, Texture};
+use scene::scene::Filtering;
+
+use super::corners::Triangle;
+use super::fragments::{Group, LANES};
+use crate::eight::{narrow, packed};
+
+/// The colours at (u, v).
+#[inline(always)]
+pub(crate) fn colors<S: Simd>(
+    simd: S,
+    texture: &Texture,
+    filter: Filtering,
+    eight: &Group<S>,
+    [u, v]: [f32x8<S>; 2],
+) -> u32x8<S> {
+    let (base, mut lights) = (texture.base(), [Vec4::ZERO; LANES]);
+    let uvs = [u.to_array(), v.to_array()];
+    let uv = |lane: usize| Vec2::new(uvs[0][lane], uvs[1][lane]);
+    let each = lights.iter_mut().enumerate();
+    match filter {
+        Filtering::Nearest => {
+            let color = |lane: usize| packed(Nearest.color(texture, uv(lane), ()));
+            return u32x8::load_array(simd, std::array::from_fn(color));
+        }
+        Filtering::Bilinear => each.for_each(|(lane, light)| *light = bilinear(base, uv(lane), texture.wrap)),
+        Filtering::Trilinear => {
+            let level = level(simd, longer_squared(simd, base.size(), eight, [u, v]));
+            if texture.wrap == Wrap::Repeat {
+                repeated(simd, texture, [u, v], level, &mut lights);
+            } else {
+                let levels = level.to_array();
+                each.for_each(|(lane, light)| *light = trilinear(texture, uv(lane), levels[lane]));
+            }
+        }
+    }
+    let mut colors = [0; LANES];
+    for (color, light) in colors.iter_mut().zip(lights) {
+        *color = packed(base.codes().color(light));
+    }
+    u32x8::load_array(simd, colors)
+}
+
+/// The light of a texture that is repeated: see [`trilinear`].
+#[inline(always)]
+fn repeated<S: Simd>(
+    simd: S,
+    texture: &Texture,
+    [u, v]: [f32x8<S>; 2],
+    level: f32x8<S>,
+    lights: &mut [Vec4; LANES],
+) {
+    let levels = texture.levels();
+    let last = levels.len() - 1;
+    let finer = level.min(last as f32).to_int::<i32x8<S>>();
+    // At the last level there is no coarser one, and its own counts whole.
+    let share =
+        finer.simd_lt(last as i32).select(level - finer.to_float::<f32x8<S>>(), f32x8::splat(simd, 0.0));
+    let finer = finer.to_array().map(|level| level as usize);
+    let coarser = finer.map(|level| (level + 1).min(last));
+    let (u, v) = (fraction(simd, u), fraction(simd, v));
+    let of = |numbers: [usize; LANES]| numbers.map(|number| &levels[number]);
+    let (finer, coarser) = (of(finer), of(coarser));
+    let columns = [between(simd, u, finer.map(Level::width)), between(simd, u, coarser.map(Level::width))];
+    let rows = [between(simd, v, finer.map(Level::height)), between(simd, v, coarser.map(Level::height))];
+    let share = share.to_array();
+    for (lane, light) in lights.iter_mut().enumerate() {
+        let fine = four(finer[lane], columns[0].lane(lane), rows[0].lane(lane));
+        let coarse = four(coarser[lane], columns[1].lane(lane), rows[1].lane(lane));
+        *light = mix(fine, coarse, share[lane]);
+    }
+}
+
+/// The light between four texels.
+#[inline(always)]
+fn four(
+    level: &Level,
+    ([left, right], across): ([i32; 2], f32),
+    ([below, above], up): ([i32; 2], f32),
+) -> Vec4 {
+    let low = mix(level.light(left, below), level.light(right, below), across);
+    let high = mix(level.light(left, above), level.light(right, above), across);
+    mix(low, high, up)
+}
+
+/// For eight places in rows of texels: between the centres of which two they lie, and the share of the way to the second.
+struct Between {
+    texels: [[i32; LANES]; 2],
+    share: [f32; LANES],
+}
+
+impl Between {
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> ([i32; 2], f32) {
+        ([self.texels[0][lane], self.texels[1][lane]], self.share[lane])
+    }
+}
+
+/// Of places from 0 to 1 in rows of so many texels.
+#[inline(always)]
+fn between<S: Simd>(simd: S, u: f32x8<S>, texels: [i32; LANES]) -> Between {
+    let count = i32x8::load_array(simd, texels);
+    let place = u * count.to_float::<f32x8<S>>() + 0.5;
+    let i = place.to_int::<i32x8<S>>();
+    let share = place - i.to_float::<f32x8<S>>();
+    let zero = i32x8::splat(simd, 0);
+    let first = i.simd_eq(0).select(count - 1, i - 1);
+    let second = i.simd_ge(count).select(zero, i);
+    Between { texels: [first.to_array(), second.to_array()], share: share.to_array() }
+}
+
+/// The light a share of the way from one to another.
+#[inline(always)]
+fn mix(from: Vec4, to: Vec4, share: f32) -> Vec4 {
+    from + (to - from) * share
+}
+
+/// How much more numbers are than the whole ones below them; 0 for what is not finite: see [`Wrap::place`].
+#[inline(always)]
+fn fraction<S: Simd>(simd: S, u: f32x8<S>) -> f32x8<S> {
+    let zero = f32x8::splat(simd, 0.0);
+    let rest = u - u.to_int_precise::<i32x8<S>>().to_float::<f32x8<S>>();
+    let place = rest.simd_lt(0.0).select(rest + 1.0, rest);
+    (rest.simd_gt(-1.0) & rest.simd_lt(1.0)).select(place, zero)
+}
+
+/// The squares of the longer sides of eight footprints, in texels: see [`Gradients::footprint`].
+#[inline(always)]
+fn longer_squared<S: Simd>(simd: S, size: Vec2, eight: &Group<S>, uv: [f32x8<S>; 2]) -> f32x8<S> {
+    let [x, y] = [centers(simd, &eight.pixels[0]), centers(simd, &eight.pixels[1])];
+    let slope = [of(simd, eight, |g| g.inverse_w.x), of(simd, eight, |g| g.inverse_w.y)];
+    let w = 1.0 / (slope[0] * x + slope[1] * y + of(simd, eight, |g| g.inverse_w.z));
+    let [u, v] = [widened(uv[0]), widened(uv[1])];
+    let [ux, uy] = [of(simd, eight, |g| g.u.x), of(simd, eight, |g| g.u.y)];
+    let [vx, vy] = [of(simd, eight, |g| g.v.x), of(simd, eight, |g| g.v.y)];
+    // How far u and v move to the next pixel along x and along y.
+    let ux = narrow(simd, (ux - slope[0] * u) * w) * size.x;
+    let uy = narrow(simd, (uy - slope[1] * u) * w) * size.x;
+    let vx = narrow(simd, (vx - slope[0] * v) * w) * size.y;
+    let vy = narrow(simd, (vy - slope[1] * v) * w) * size.y;
+    (ux * ux + vx * vx).max_precise(uy * uy + vy * vy)
+}
+
+/// A number of the gradients of each one's triangle.
+#[inline(always)]
+fn of<S: Simd>(simd: S, eight: &Group<S>, number: impl Fn(&Gradients) -> f64) -> f64x8<S> {
+    let number = |triangle: &Triangle| triangle.constant.gradients.as_ref().map_or(0.0, &number);
+    let mut numbers = f64x8::splat(simd, number(eight.parts[0].1));
+    for &(lanes, triangle) in &eight.parts[1..] {
+        let lanes = mask64x8::from_bitmask(simd, lanes.into());
+        numbers = lanes.select(f64x8::splat(simd, number(triangle)), numbers);
+    }
+    numbers
+}
+
+/// The centres of pixels along an axis.
+#[inline(always)]
+fn centers<S: Simd>(simd: S, pixels: &[i32; LANES]) -> f64x8<S> {
+    f64x8::load_array(simd, pixels.map(f64::from)) + 0.5
+}
+
+#[inline(always)]
+fn widened<S: Simd>(numbers: f32x8<S>) -> f64x8<S> {
+    let (low, high) = numbers.widen();
+    low.combine(high)
+}
+
+/// The levels at which footprints are as large as texels, from the square of their longer side; 0 where they are smaller, or NaN.
+#[inline(always)]
+fn level<S: Simd>(simd: S, longer_squared: f32x8<S>) -> f32x8<S> {
+    let is_reduced = longer_squared.simd_gt(1.0);
+    log2(is_reduced.select(longer_squared, f32x8::splat(simd, 1.0))) * 0.5
+}
+
+/// The logarithm to the base 2 of numbers from 1 on, by the operations of [`libm::log2f`] in the same order, and so with the
+/// same last digit (FreeBSD's `e_log2f.c`, where the constants are explained); some large number for what is infinite.
+#[inline(always)]
+fn log2<S: Simd>(x: f32x8<S>) -> f32x8<S> {
+    const IVLN2HI: f32 = 1.442_871_1;
+    const IVLN2LO: f32 = -1.760_528_5e-4;
+    const LG1: f32 = 0.666_666_6;
+    const LG2: f32 = 0.400_009_72;
+    const LG3: f32 = 0.284_987_87;
+    const LG4: f32 = 0.242_790_79;
+    // x as 2^k times a number from √½ to √2.
+    let bits = x.to_bits() + (0x3f80_0000 - 0x3f35_04f3);
+    let k: f32x8<S> = ((bits >> 23) - 0x7f).to_float();
+    let f = f32x8::from_bits((bits & 0x007f_ffff) + 0x3f35_04f3) - 1.0;
+    let s = f / (f + 2.0);
+    let z = s * s;
+    let w = z * z;
+    let t1 = w * (w * LG4 + LG2);
+    let t2 = z * (w * LG3 + LG1);
+    let r = t2 + t1;
+    let hfsq = f * 0.5 * f;
+    let hi = f32x8::from_bits((f - hfsq).to_bits() & 0xffff_f000);
+    let lo = f - hi - hfsq + s * (hfsq + r);
+    (lo + hi) * IVLN2LO + lo * IVLN2HI + hi * IVLN2HI + k
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::*;
+
+    #[test]
+    fn logarithms_have_libms_last_digit() {
+        let bits: Vec<u32> = (1.0_f32.to_bits()..f32::INFINITY.to_bits()).step_by(997).collect();
+        for bits in bits.as_chunks::<LANES>().0 {
+            let x = bits.map(f32::from_bits);
+            let logarithms = dispatch!(Level::new(), simd => log2(f32x8::load_array(simd, x)).to_array());
+            assert_eq!(logarithms, x.map(libm::log2f), "{x:?}");
+        }
+    }
+}
