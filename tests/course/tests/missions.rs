@@ -329,3 +329,15 @@ fn a_mission_is_built_without_what_it_asks_for() {
         assert!(own.contains("tasks") && more.is_empty(), "{lesson}: {more:?}");
     }
 }
+
+/// Whoever does nothing earns nothing, in each mission: its judge's tests say so, and of all checks that they depend on the seed.
+#[test]
+fn every_mission_is_tried_by_doing_nothing() {
+    for lesson in LESSONS.iter() {
+        let faults = Path::new(COURSE).join("tests/lessons").join(lesson).join("faults.rs");
+        let tests = fs::read_to_string(faults).expect("a mission has faults");
+        let missing =
+            ["JUDGE.check()", "JUDGE.earns_nothing(&"].into_iter().find(|test| !tests.contains(test));
+        assert_eq!(missing, None, "{lesson}");
+    }
+}
