@@ -12,7 +12,6 @@ use crate::results::{Check, Class, Judged, Lesson, Look, Outcome, Pictures, Work
 #[derive(Template)]
 #[template(path = "report.html")]
 struct Page<'a> {
-    seed: u64,
     lessons: &'a [Lesson],
     walls: &'a [Wall],
     /// Whose, of which lessons, and what a person has to look at.
@@ -80,7 +79,7 @@ pub(super) fn page(class: &Class) -> anyhow::Result<String> {
     let mean = format!("{:.1}", f64::from(graded.iter().sum::<u32>()) / graded.len().max(1) as f64);
     let (lessons, walls) = (&class.lessons, &class.walls);
     let (looks, points) = (class.looks(), class.points());
-    Ok(Page { seed: class.seed, lessons, walls, looks, students, points, mean }.render()?)
+    Ok(Page { lessons, walls, looks, students, points, mean }.render()?)
 }
 
 fn points(earned: Option<u32>) -> String {
