@@ -254,6 +254,17 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        for cover in [
+            |_, _, _, _| Cover::Nothing,
+            |_, _, _, _| Cover::Part,
+            |_: DVec3, _: DVec3, _: DVec3, _: DVec3| Cover::Whole,
+        ] {
+            JUDGE.earns_nothing(&Speed { cover });
+        }
+    }
+
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {

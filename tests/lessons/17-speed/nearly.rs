@@ -1,8 +1,10 @@
 //! A block that hides a triangle hides all of it: no pixel that is seen is rejected, however near depths are to each other.
 
-use clipping::{Counts, Cull};
-use common::Color;
+use clipping::{Clipping, Counts, Cull, render};
+use common::{Color, Format, Image};
 use fastrand::Rng;
+use perspective::Framebuffer;
+use perspective::depth::ZF32;
 use speed::Plan;
 
 use crate::canvas::{Canvas, Way, differing, drawn};
@@ -54,4 +56,48 @@ fn nearly_the_same_planes_are_told_apart_pixel_by_pixel() {
         }
     }
     assert!(mixed > 3000, "{mixed}");
+}
+
+/// A plane without a tilt that hides a block but for one pixel, which is nearer by the last bit: however that pixel's depth was
+/// rounded, it is seen.
+#[test]
+fn a_pixel_that_is_nearer_by_a_bit_is_seen() {
+    let mut rng = Rng::with_seed(18);
+    let mut tried = 0;
+    for n in 0..20_000 {
+        let reach = [1, 30, 3000][n % 3];
+        let corner = |rng: &mut Rng, tilt: f32| Corner {
+            x: rng.i32(-reach * 256..256 * (16 + reach)),
+            y: rng.i32(-reach * 256..256 * (16 + reach)),
+            z: 0.65 + tilt * (rng.f32() - 0.5),
+            w: 1.0,
+        };
+        let tilt = 0.6 * 10_f32.powi(-rng.i32(0..8));
+        let triangle = [(); 3].map(|()| corner(&mut rng, tilt));
+        let alone = Soup::apart(&[triangle], SIZE);
+        let mut image = Image::new(SIZE[0], SIZE[1], Format::Rgba);
+        let mut target = Framebuffer::new(&mut image, ZF32);
+        render(&alone.shader(), &alone.mesh(), Cull::None, Clipping::GuardBand, &mut target);
+        // The nearest pixel of a block.
+        let [left, bottom] = [8 * rng.i32(0..2), 8 * rng.i32(0..2)];
+        let pixels = (bottom..bottom + 8).flat_map(|y| (left..left + 8).map(move |x| (x, y)));
+        let depths = pixels.map(|(x, y)| target.depths.get(x, y));
+        let nearest = depths.fold(1.0, f32::min);
+        if nearest == 1.0 {
+            continue;
+        }
+        tried += 1;
+        let plane = [(-64, -64), (192, -64), (-64, 192)]
+            .map(|(x, y)| Corner { z: nearest.next_up(), ..Corner::at(256 * x, 256 * y) });
+        let soup = Soup::apart(&[plane, triangle], SIZE);
+        let mesh = soup.mesh();
+        let draw = |canvas: &mut Canvas| -> Counts { canvas.draw(&soup.shader(), &mesh, Cull::None) };
+        let (expected, _) = drawn(Way::Simple, SIZE, Color::BLACK, draw);
+        for deferred in [false, true] {
+            let plan = Plan { tile: Some(8), hierarchical: true, deferred, threads: 1 };
+            let (got, _) = drawn(Way::tiled(plan), SIZE, Color::BLACK, draw);
+            assert_eq!(differing(&expected, &got), None, "{plan:?}: {triangle:?} before {nearest}");
+        }
+    }
+    assert!(tried > 5000, "{tried}");
 }

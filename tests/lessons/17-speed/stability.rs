@@ -242,7 +242,8 @@ const CELLS: &[Case<Cell>] = &[
         Cell::new(SIZE, |size| {
             let small = |x: i32, z: f32| [px(x, 17), px(x + 2, 17), px(x, 22)].map(|corner| deep(corner, z));
             let full = FULL.map(|corner| deep(corner, 0.5));
-            let meshes = || vec![Soup::apart(&[small(17, 0.7), full], size), Soup::apart(&[small(21, 0.3)], size)];
+            let meshes =
+                || vec![Soup::apart(&[small(17, 0.7), full], size), Soup::apart(&[small(21, 0.3)], size)];
             vec![meshes(), meshes()]
         }),
         ALL,

@@ -32,6 +32,7 @@ pub const MISSION: Mission<Speed> = Mission {
                     tasks.extend(crossing(rng, through, Vec2::from_angle(angle)));
                 }
                 tasks.extend(around(rng));
+                rng.shuffle(&mut tasks);
                 tasks
             },
             precision: Precision::EXACT,
@@ -47,6 +48,7 @@ pub const MISSION: Mission<Speed> = Mission {
                     let through = Vec2::new(rng.i32(190..210) as f32, rng.i32(190..210) as f32) + 0.5;
                     tasks.extend(crossing(rng, through, Vec2::new(x as f32, y as f32)));
                 }
+                rng.shuffle(&mut tasks);
                 tasks
             },
             precision: Precision::EXACT,
@@ -62,6 +64,7 @@ pub const MISSION: Mission<Speed> = Mission {
                     tasks.extend(blocks_of(rng, small, 2));
                     tasks.extend(blocks_of(rng, large, 2));
                 }
+                rng.shuffle(&mut tasks);
                 tasks
             },
             precision: Precision::EXACT,
@@ -88,7 +91,7 @@ fn rounded(place: Vec2) -> Vec2 {
 /// far from there. They are the last one outside of the side, the first and the last of which a part is inside, and the first one
 /// inside.
 fn crossing(rng: &mut Rng, through: Vec2, way: Vec2) -> Vec<Task<Speed>> {
-    let long = way * 120.0;
+    let long = way * f32::from(rng.u8(100..140));
     // What belongs to a side stands at the place of the corner opposite to it.
     let side = rng.usize(..3);
     let mut corners = [through + long.perp(), through - long, through + long].map(rounded);
