@@ -49,9 +49,9 @@ struct Flags {
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "11", value_parser = clap::value_parser!(u8).range(0..=11))]
     scene: Option<u8>,
 
-    /// Open that scene's window, with lesson 16's keys
+    /// Open that scene's window, with lesson 16's keys; version 11 unless --scene names another one
     #[cfg(feature = "window")]
-    #[arg(long, requires = "scene", conflicts_with = "out")]
+    #[arg(long, conflicts_with = "out")]
     window: bool,
 
     #[command(flatten)]
@@ -62,6 +62,17 @@ struct Flags {
     camera: CameraFlags,
     #[command(flatten)]
     cull: CullFlag,
+}
+
+impl Flags {
+    /// Whether lesson 16's scene is asked for.
+    fn draws_scene(&self) -> bool {
+        #[cfg(feature = "window")]
+        if self.window {
+            return true;
+        }
+        self.scene.is_some()
+    }
 }
 
 /// More than a picture has work for.
@@ -145,15 +156,16 @@ impl Program for Scene {
         named(filtering::METHODS, "filter", &flags.filter)?;
         let filter = filtering::METHODS.iter().position(|row| row.name == flags.filter).unwrap_or(0);
         let mipmap = named(MIPMAPS, "mipmaps", "box-linear")?;
-        let models = match flags.scene {
-            Some(_) => Vec::new(),
-            None => Filterable::read(&flags.model, flags.view.origin(), *mipmap, *wrap)?,
+        let models = if flags.draws_scene() {
+            Vec::new()
+        } else {
+            Filterable::read(&flags.model, flags.view.origin(), *mipmap, *wrap)?
         };
         Ok(Self { models, filter, flags })
     }
 
     fn size(&self) -> (u16, u16) {
-        if self.flags.scene.is_some() { (1024, 768) } else { (800, 800) }
+        if self.flags.draws_scene() { (1024, 768) } else { (800, 800) }
     }
 
     #[cfg(feature = "window")]
@@ -162,11 +174,7 @@ impl Program for Scene {
             return output.one(self, method);
         }
         let size = output.size(self);
-        scene::window::run(
-            &mut simulation(self.flags.scene.unwrap_or_default())?,
-            self.target(method, 0, 0),
-            size,
-        )
+        scene::window::run(&mut simulation(self.flags.scene.unwrap_or(11))?, self.target(method, 0, 0), size)
     }
 
     fn draw(&mut self, method: &Renderer, picture: &mut Image) -> anyhow::Result<Extras> {

@@ -24,6 +24,14 @@ impl Threads {
         Self((count > 1).then(pool))
     }
 
+    /// Does some work on one of the threads, from where the others are soon at hand.
+    pub(crate) fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        match &self.0 {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
     /// Does some work with each of these.
     pub(crate) fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
         match &self.0 {
@@ -34,7 +42,8 @@ impl Threads {
         }
     }
 
-    /// Does some work with each piece of these, all of that length.
+    /// Does some work with each piece of these, all of that length but perhaps the last. Each piece is handed out by itself, as
+    /// one may cost much more than the next.
     pub(crate) fn each_piece<T: Send>(
         &self,
         items: &mut [T],
@@ -43,9 +52,10 @@ impl Threads {
     ) {
         match &self.0 {
             Some(pool) => pool.install(|| {
-                items.par_chunks_exact_mut(length).enumerate().for_each(|(n, piece)| work(n, piece));
+                let pieces = items.par_chunks_mut(length).with_max_len(1);
+                pieces.enumerate().for_each(|(n, piece)| work(n, piece));
             }),
-            None => items.chunks_exact_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),
+            None => items.chunks_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),
         }
     }
 

@@ -11,7 +11,8 @@ use crate::canvas::{Canvas, Way, again, differing, drawn, frame, levels};
 use crate::soup::{Corner, Drops, Soup};
 
 /// Widths and heights: one pixel, less than a block, a block, a pixel more than some, and one much wider than high.
-const SIZES: [[u16; 2]; 9] = [[1, 1], [7, 5], [8, 8], [9, 8], [16, 17], [33, 24], [65, 63], [64, 64], [300, 3]];
+const SIZES: [[u16; 2]; 9] =
+    [[1, 1], [7, 5], [8, 8], [9, 8], [16, 17], [33, 24], [65, 63], [64, 64], [300, 3]];
 
 /// Meshes that are drawn one after the other.
 #[derive(Clone, Debug)]

@@ -6,8 +6,8 @@ use common::{Color, Format, Image};
 use fearless_simd::{Level, Simd};
 use perspective::depth::ZF32;
 use perspective::{Framebuffer, draw_triangle};
-use speed::blocks::Blocks;
 use speed::Plan;
+use speed::blocks::Blocks;
 use speed::frame::{Frame, Shared};
 
 /// Who draws.
@@ -83,8 +83,7 @@ pub(crate) fn drawn(
     let mut image = Image::new(size[0], size[1], Format::Rgba);
     image.set_all(|_| background);
     let target = Framebuffer::new(&mut image, ZF32);
-    let mut canvas =
-        if matches!(way, Way::Simple) { Canvas::Simple(target) } else { Canvas::Blocks(target) };
+    let mut canvas = if matches!(way, Way::Simple) { Canvas::Simple(target) } else { Canvas::Blocks(target) };
     let counts = draw(&mut canvas);
     (image, counts)
 }

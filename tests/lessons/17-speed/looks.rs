@@ -92,9 +92,8 @@ impl Shot {
 
     /// The same of a shader of so many triangles that is asked pixel by pixel, and of it with holes.
     fn check_each(&self, way: Way, name: &str, keeps_all: bool, shader: &impl AnyShader, faces: usize) {
-        let vertices = (0..faces as u32).flat_map(|face| {
-            (0..3).map(move |corner| Vertex { position: 3 * face + corner, face, corner })
-        });
+        let vertices = (0..faces as u32)
+            .flat_map(|face| (0..3).map(move |corner| Vertex { position: 3 * face + corner, face, corner }));
         let (indices, faces) = ((0..3 * faces as u32).collect(), (0..faces as u32).collect());
         let mesh = Mesh { vertices: vertices.collect(), topology: Topology::List, indices, faces };
         for holes in [false, true] {

@@ -19,7 +19,9 @@ fn nearly_the_same_planes_are_told_apart_pixel_by_pixel() {
     let mut mixed = 0;
     for n in 0..20_000 {
         let reach = [1, 30, 3000][n % 3];
-        let corner = |rng: &mut Rng| (rng.i32(-reach * 256..256 * (16 + reach)), rng.i32(-reach * 256..256 * (16 + reach)));
+        let corner = |rng: &mut Rng| {
+            (rng.i32(-reach * 256..256 * (16 + reach)), rng.i32(-reach * 256..256 * (16 + reach)))
+        };
         let mut points = [(); 3].map(|()| corner(&mut rng));
         let tilt = 10_f32.powi(-rng.i32(0..9));
         let z = [(); 3].map(|()| (0.5 + tilt * (rng.f32() - 0.5)).clamp(0.0, 0.999));
@@ -29,7 +31,8 @@ fn nearly_the_same_planes_are_told_apart_pixel_by_pixel() {
         let mut triangles = vec![triangle(points, z)];
         for _ in 0..4 {
             // The same plane, a few bits nearer or farther at its corners; or of other corners.
-            let bits = |z: f32, off: i32| f32::from_bits(z.to_bits().wrapping_add_signed(off)).clamp(0.0, 1.0);
+            let bits =
+                |z: f32, off: i32| f32::from_bits(z.to_bits().wrapping_add_signed(off)).clamp(0.0, 1.0);
             let moved = z.map(|z| bits(z, rng.i32(-3..=1)));
             points.rotate_left(1);
             triangles.push(triangle(points, [moved[1], moved[2], moved[0]]));

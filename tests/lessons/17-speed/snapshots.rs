@@ -1,5 +1,5 @@
 use speed::{LESSON, METHODS};
-use verify::{SPHERE, CRATE, assert_drawn, assert_each_drawn};
+use verify::{CRATE, SPHERE, assert_drawn, assert_each_drawn};
 
 const SIZE: [&str; 2] = ["--size", "200x200"];
 

@@ -113,7 +113,8 @@ fn wheel(middle: Corner, reach: i32, count: u16, size: [u16; 2]) -> Soup {
 fn sphere(eye: Vec3, near: f32, [width, height]: [u16; 2]) -> Soup {
     let shape = scene::sphere(12, 24);
     let projection = perspective(90.0, f32::from(width) / f32::from(height), near, 10.0);
-    let to_clip = projection.unwrap_or(Mat4::IDENTITY) * view(eye, eye - Vec3::Z, Vec3::Y).unwrap_or_default();
+    let to_clip =
+        projection.unwrap_or(Mat4::IDENTITY) * view(eye, eye - Vec3::Z, Vec3::Y).unwrap_or_default();
     Soup {
         positions: shape.vertices.iter().map(|vertex| to_clip * vertex.position.extend(1.0)).collect(),
         triangles: shape.triangles,
@@ -126,8 +127,7 @@ fn equals(size: [u16; 2]) -> Vec<Vec<Soup>> {
     one(&[LARGE, [LARGE[1], LARGE[2], LARGE[0]], [LARGE[2], LARGE[1], LARGE[0]], FULL], size)
 }
 
-const ALL: &[Row] =
-    &[("simple, blocks, simd, tiles, hierarchical-depth, deferred, threads", Exact)];
+const ALL: &[Row] = &[("simple, blocks, simd, tiles, hierarchical-depth, deferred, threads", Exact)];
 
 const CELLS: &[Case<Cell>] = &[
     ("no mesh", Cell::new(SIZE, |_| vec![Vec::new()]), ALL),
@@ -144,8 +144,16 @@ const CELLS: &[Case<Cell>] = &[
         Cell::new(SIZE, |size| one(&[LARGE, [FULL[0], FULL[2], FULL[1]]], size)).culling(Cull::Front),
         ALL,
     ),
-    ("without area", Cell::new(SIZE, |size| one(&[[px(3, 3), px(40, 40), px(80, 80)], [px(9, 9); 3]], size)), ALL),
-    ("beside the picture", Cell::new(SIZE, |size| one(&[FULL.map(|c| Corner { x: c.x + (1 << 18), ..c })], size)), ALL),
+    (
+        "without area",
+        Cell::new(SIZE, |size| one(&[[px(3, 3), px(40, 40), px(80, 80)], [px(9, 9); 3]], size)),
+        ALL,
+    ),
+    (
+        "beside the picture",
+        Cell::new(SIZE, |size| one(&[FULL.map(|c| Corner { x: c.x + (1 << 18), ..c })], size)),
+        ALL,
+    ),
     ("larger than the picture", Cell::new(SIZE, |size| one(&[FULL], size)), ALL),
     (
         "as far as the guard band",
@@ -154,12 +162,16 @@ const CELLS: &[Case<Cell>] = &[
     ),
     (
         "beyond the guard band",
-        Cell::new(SIZE, |size| one(&[[px(-90_000, -5000), px(4_000_000, -70_000), px(-60_000, 7_000_000)]], size)),
+        Cell::new(SIZE, |size| {
+            one(&[[px(-90_000, -5000), px(4_000_000, -70_000), px(-60_000, 7_000_000)]], size)
+        }),
         ALL,
     ),
     (
         "thin and beyond the guard band",
-        Cell::new(SIZE, |size| one(&[[px(-4_000_000, -3_000_000), px(4_000_000, 3_000_100), px(4_000_000, 3_000_000)]], size)),
+        Cell::new(SIZE, |size| {
+            one(&[[px(-4_000_000, -3_000_000), px(4_000_000, 3_000_100), px(4_000_000, 3_000_000)]], size)
+        }),
         ALL,
     ),
     ("squares of a pixel", Cell::new(SIZE, |size| vec![vec![grid(256, size)]]), ALL),
@@ -183,25 +195,58 @@ const CELLS: &[Case<Cell>] = &[
         "sides through centres of pixels",
         Cell::new(SIZE, |size| {
             let c = |x: i32, y: i32| Corner::at(256 * x + 128, 256 * y + 128);
-            one(&[[c(8, 8), c(40, 8), c(40, 40)], [c(8, 8), c(40, 40), c(8, 40)], [c(40, 40), c(40, 8), c(72, 40)]], size)
+            one(
+                &[
+                    [c(8, 8), c(40, 8), c(40, 40)],
+                    [c(8, 8), c(40, 40), c(8, 40)],
+                    [c(40, 40), c(40, 8), c(72, 40)],
+                ],
+                size,
+            )
         }),
         ALL,
     ),
     (
         "a block to the pixel",
-        Cell::new(SIZE, |size| one(&[[px(16, 16), px(24, 16), px(24, 24)], [px(16, 16), px(24, 24), px(16, 24)]], size)),
+        Cell::new(SIZE, |size| {
+            one(&[[px(16, 16), px(24, 16), px(24, 24)], [px(16, 16), px(24, 24), px(16, 24)]], size)
+        }),
         ALL,
     ),
     (
         "a pixel at a block's corner",
         Cell::new(SIZE, |size| {
-            let at = |x: i32, y: i32| [px(x, y), Corner::at(256 * x + 257, 256 * y), Corner::at(256 * x, 256 * y + 257)];
-            one(&[at(8, 8), at(15, 8), at(8, 15), at(15, 15), at(63, 63), at(64, 64), at(64, 63), at(100, 76)], size)
+            let at = |x: i32, y: i32| {
+                [px(x, y), Corner::at(256 * x + 257, 256 * y), Corner::at(256 * x, 256 * y + 257)]
+            };
+            one(
+                &[
+                    at(8, 8),
+                    at(15, 8),
+                    at(8, 15),
+                    at(15, 15),
+                    at(63, 63),
+                    at(64, 64),
+                    at(64, 63),
+                    at(100, 76),
+                ],
+                size,
+            )
         }),
         ALL,
     ),
     ("front to back", Cell::new(SIZE, |size| layers(20, false, size)), ALL),
     ("back to front", Cell::new(SIZE, |size| layers(20, true, size)), ALL),
+    (
+        "a part of a block, then all of it, then a part by another mesh",
+        Cell::new(SIZE, |size| {
+            let small = |x: i32, z: f32| [px(x, 17), px(x + 2, 17), px(x, 22)].map(|corner| deep(corner, z));
+            let full = FULL.map(|corner| deep(corner, 0.5));
+            let meshes = || vec![Soup::apart(&[small(17, 0.7), full], size), Soup::apart(&[small(21, 0.3)], size)];
+            vec![meshes(), meshes()]
+        }),
+        ALL,
+    ),
     (
         "through each other",
         Cell::new(SIZE, |size| {
@@ -211,10 +256,14 @@ const CELLS: &[Case<Cell>] = &[
         ALL,
     ),
     ("equal depths", Cell::new(SIZE, equals), ALL),
-    ("equal depths in each other's plane", Cell::new(SIZE, |size| {
-        let plane = |corner: Corner| deep(corner, (corner.x + 2 * corner.y) as f32 / 1e6 + 0.4);
-        one(&[LARGE.map(plane), FULL.map(plane), [FULL[2], LARGE[0], LARGE[1]].map(plane)], size)
-    }), ALL),
+    (
+        "equal depths in each other's plane",
+        Cell::new(SIZE, |size| {
+            let plane = |corner: Corner| deep(corner, (corner.x + 2 * corner.y) as f32 / 1e6 + 0.4);
+            one(&[LARGE.map(plane), FULL.map(plane), [FULL[2], LARGE[0], LARGE[1]].map(plane)], size)
+        }),
+        ALL,
+    ),
     (
         "a bit nearer each time",
         Cell::new(SIZE, |size| {
@@ -227,17 +276,40 @@ const CELLS: &[Case<Cell>] = &[
         "a bit nearer in a corner",
         Cell::new(SIZE, |size| {
             let z = |bits: u32| f32::from_bits(0.7_f32.to_bits() - bits);
-            one(&[FULL.map(|c| deep(c, z(0))), [deep(FULL[0], z(0)), deep(FULL[1], z(1)), deep(FULL[2], z(3))]], size)
+            one(
+                &[
+                    FULL.map(|c| deep(c, z(0))),
+                    [deep(FULL[0], z(0)), deep(FULL[1], z(1)), deep(FULL[2], z(3))],
+                ],
+                size,
+            )
         }),
         ALL,
     ),
-    ("at the near plane and the far one", Cell::new(SIZE, |size| {
-        one(&[FULL.map(|c| deep(c, 1.0)), LARGE.map(|c| deep(c, 0.0)), FULL.map(|c| deep(c, 1.0 - f32::EPSILON))], size)
-    }), ALL),
+    (
+        "at the near plane and the far one",
+        Cell::new(SIZE, |size| {
+            one(
+                &[
+                    FULL.map(|c| deep(c, 1.0)),
+                    LARGE.map(|c| deep(c, 0.0)),
+                    FULL.map(|c| deep(c, 1.0 - f32::EPSILON)),
+                ],
+                size,
+            )
+        }),
+        ALL,
+    ),
     (
         "depths beyond near and far",
         Cell::new(SIZE, |size| {
-            one(&[[deep(FULL[0], -3.0), deep(FULL[1], 0.5), deep(FULL[2], 7.0)], LARGE.map(|c| deep(c, -0.1))], size)
+            one(
+                &[
+                    [deep(FULL[0], -3.0), deep(FULL[1], 0.5), deep(FULL[2], 7.0)],
+                    LARGE.map(|c| deep(c, -0.1)),
+                ],
+                size,
+            )
         }),
         ALL,
     ),
@@ -261,41 +333,90 @@ const CELLS: &[Case<Cell>] = &[
         }),
         ALL,
     ),
-    ("w from near to far", Cell::new(SIZE, |size| one(&[[far(FULL[0], 0.01), far(FULL[1], 50.0), FULL[2]], [LARGE[0], far(LARGE[1], 1e-5), far(LARGE[2], 1e9)]], size)), ALL),
+    (
+        "w from near to far",
+        Cell::new(SIZE, |size| {
+            one(
+                &[
+                    [far(FULL[0], 0.01), far(FULL[1], 50.0), FULL[2]],
+                    [LARGE[0], far(LARGE[1], 1e-5), far(LARGE[2], 1e9)],
+                ],
+                size,
+            )
+        }),
+        ALL,
+    ),
     (
         "w near 0",
-        Cell::new(SIZE, |size| one(&[[far(FULL[0], 1.01e-6), FULL[1], FULL[2]], [LARGE[0], far(LARGE[1], 0.99e-6), LARGE[2]]], size)),
+        Cell::new(SIZE, |size| {
+            one(
+                &[[far(FULL[0], 1.01e-6), FULL[1], FULL[2]], [LARGE[0], far(LARGE[1], 0.99e-6), LARGE[2]]],
+                size,
+            )
+        }),
         ALL,
     ),
     (
         "w 0, below, and no number",
         Cell::new(SIZE, |size| {
             let odd = |w| [LARGE[0], LARGE[1], far(LARGE[2], w)];
-            one(&[odd(0.0), odd(-0.0), odd(-1.0), odd(f32::NAN), odd(f32::INFINITY), odd(1e38), odd(1e-38), FULL], size)
+            one(
+                &[
+                    odd(0.0),
+                    odd(-0.0),
+                    odd(-1.0),
+                    odd(f32::NAN),
+                    odd(f32::INFINITY),
+                    odd(1e38),
+                    odd(1e-38),
+                    FULL,
+                ],
+                size,
+            )
         }),
         ALL,
     ),
     ("all behind the eye", Cell::new(SIZE, |size| one(&[FULL.map(|c| far(c, -1.0))], size)), ALL),
-    ("an eye before a mesh", Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.2, 0.1, 1.9), 0.1, size)]]), ALL),
-    ("an eye inside a mesh", Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]]), ALL),
-    ("an eye in a mesh's surface", Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.0, 0.0, 1.0), 0.001, size)]]), ALL),
+    (
+        "an eye before a mesh",
+        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.2, 0.1, 1.9), 0.1, size)]]),
+        ALL,
+    ),
+    (
+        "an eye inside a mesh",
+        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]]),
+        ALL,
+    ),
+    (
+        "an eye in a mesh's surface",
+        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.0, 0.0, 1.0), 0.001, size)]]),
+        ALL,
+    ),
     (
         "inside, and fronts left out",
-        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]]).culling(Cull::Front),
+        Cell::new(SIZE, |size| vec![vec![sphere(Vec3::new(0.3, -0.2, 0.4), 0.01, size)]])
+            .culling(Cull::Front),
         ALL,
     ),
     (
         "every other pixel dropped",
-        Cell::new(SIZE, |size| vec![layers(9, false, size).remove(0).remove(0).dropping(Drops::Checker)].into_iter().map(|s| vec![s]).collect()),
+        Cell::new(SIZE, |size| {
+            vec![layers(9, false, size).remove(0).remove(0).dropping(Drops::Checker)]
+                .into_iter()
+                .map(|s| vec![s])
+                .collect()
+        }),
         ALL,
     ),
     (
         "pixels dropped before what is hidden",
-        Cell::new(SIZE, |size| vec![vec![
-            Soup::apart(&[FULL.map(|c| deep(c, 0.1))], size).dropping(Drops::All),
-            Soup::apart(&[FULL.map(|c| deep(c, 0.2))], size).dropping(Drops::Checker),
-            Soup::apart(&[FULL.map(|c| deep(c, 0.9))], size),
-        ]]),
+        Cell::new(SIZE, |size| {
+            vec![vec![
+                Soup::apart(&[FULL.map(|c| deep(c, 0.1))], size).dropping(Drops::All),
+                Soup::apart(&[FULL.map(|c| deep(c, 0.2))], size).dropping(Drops::Checker),
+                Soup::apart(&[FULL.map(|c| deep(c, 0.9))], size),
+            ]]
+        }),
         ALL,
     ),
     (
@@ -303,45 +424,131 @@ const CELLS: &[Case<Cell>] = &[
         Cell::new(SIZE, |size| vec![vec![grid(700, size).dropping(Drops::Nan), grid(900, size)]]),
         ALL,
     ),
-    ("triangles left out by the shader", Cell::new(SIZE, |size| vec![vec![grid(900, size).dropping(Drops::Triangles)]]), ALL),
+    (
+        "triangles left out by the shader",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size).dropping(Drops::Triangles)]]),
+        ALL,
+    ),
     (
         "meshes over each other",
-        Cell::new(SIZE, |size| vec![vec![grid(900, size), wheel(px(50, 38), 9000, 30, size), grid(1700, size).dropping(Drops::Some), sphere(Vec3::new(0.0, 0.0, 1.6), 0.1, size)]]),
+        Cell::new(SIZE, |size| {
+            vec![vec![
+                grid(900, size),
+                wheel(px(50, 38), 9000, 30, size),
+                grid(1700, size).dropping(Drops::Some),
+                sphere(Vec3::new(0.0, 0.0, 1.6), 0.1, size),
+            ]]
+        }),
         ALL,
     ),
     (
         "a frame used again for fewer and for more",
-        Cell::new(SIZE, |size| vec![
-            vec![grid(900, size), wheel(px(50, 38), 9000, 30, size)],
-            vec![Soup::apart(&[[px(2, 2), px(7, 2), px(2, 7)]], size)],
-            Vec::new(),
-            vec![grid(500, size), grid(511, size)],
-        ]),
+        Cell::new(SIZE, |size| {
+            vec![
+                vec![grid(900, size), wheel(px(50, 38), 9000, 30, size)],
+                vec![Soup::apart(&[[px(2, 2), px(7, 2), px(2, 7)]], size)],
+                Vec::new(),
+                vec![grid(500, size), grid(511, size)],
+            ]
+        }),
         ALL,
     ),
     ("1×1", Cell::new([1, 1], |size| vec![vec![grid(100, size)], Vec::new(), equals(size).remove(0)]), ALL),
-    ("1×1, nothing covered", Cell::new([1, 1], |size| one(&[[px(0, 0), Corner::at(127, 0), Corner::at(0, 127)]], size)), ALL),
+    (
+        "1×1, nothing covered",
+        Cell::new([1, 1], |size| one(&[[px(0, 0), Corner::at(127, 0), Corner::at(0, 127)]], size)),
+        ALL,
+    ),
     ("7×5", Cell::new([7, 5], |size| vec![vec![grid(100, size)], equals(size).remove(0)]), ALL),
     ("8×8", Cell::new([8, 8], |size| vec![vec![grid(300, size)], equals(size).remove(0)]), ALL),
     ("64×64", Cell::new([64, 64], |size| vec![vec![grid(300, size)], equals(size).remove(0)]), ALL),
     ("65×63", Cell::new([65, 63], |size| vec![vec![grid(300, size)], equals(size).remove(0)]), ALL),
-    ("1000×3", Cell::new([1000, 3], |size| vec![vec![grid(300, size)], layers(5, true, size).remove(0)]), ALL),
-    ("3×1000", Cell::new([3, 1000], |size| vec![vec![grid(300, size)], layers(5, true, size).remove(0)]), ALL),
-    ("as wide as an image can be", Cell::new([65_535, 2], |size| vec![
-        Soup::apart(&[[px(-20, -9), px(65_000, -7), px(66_000, 40)], [px(-7_000_000, -9), px(7_000_000, -7), px(65_000, 3)]], size),
-    ].into_iter().map(|s| vec![s]).collect()), ALL),
-    ("tiles of 8", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 8)), ALL),
-    ("tiles of 16", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 16)), ALL),
-    ("tiles of 24", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 24)), ALL),
-    ("tiles of 104, as wide as the picture", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 104)), ALL),
-    ("tiles larger than the picture", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 4096)), ALL),
-    ("large triangles in tiles of 8", Cell::new(SIZE, |size| layers(12, true, size)).by(|plan| side(plan, 8)), ALL),
-    ("1 thread", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 1)), ALL),
-    ("3 threads", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 3)), ALL),
-    ("8 threads", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 8)), ALL),
-    ("64 threads", Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 64)), ALL),
-    ("64 threads for a pixel", Cell::new([1, 1], |size| vec![vec![grid(100, size)]]).by(|plan| threads(plan, 64)), ALL),
-    ("64 threads, tiles of 8", Cell::new(SIZE, |size| layers(12, true, size)).by(|plan| threads(side(plan, 8), 64)), ALL),
+    (
+        "1000×3",
+        Cell::new([1000, 3], |size| vec![vec![grid(300, size)], layers(5, true, size).remove(0)]),
+        ALL,
+    ),
+    (
+        "3×1000",
+        Cell::new([3, 1000], |size| vec![vec![grid(300, size)], layers(5, true, size).remove(0)]),
+        ALL,
+    ),
+    (
+        "as wide as an image can be",
+        Cell::new([65_535, 2], |size| {
+            vec![Soup::apart(
+                &[
+                    [px(-20, -9), px(65_000, -7), px(66_000, 40)],
+                    [px(-7_000_000, -9), px(7_000_000, -7), px(65_000, 3)],
+                ],
+                size,
+            )]
+            .into_iter()
+            .map(|s| vec![s])
+            .collect()
+        }),
+        ALL,
+    ),
+    (
+        "tiles of 8",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 8)),
+        ALL,
+    ),
+    (
+        "tiles of 16",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 16)),
+        ALL,
+    ),
+    (
+        "tiles of 24",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 24)),
+        ALL,
+    ),
+    (
+        "tiles of 104, as wide as the picture",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 104)),
+        ALL,
+    ),
+    (
+        "tiles larger than the picture",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| side(plan, 4096)),
+        ALL,
+    ),
+    (
+        "large triangles in tiles of 8",
+        Cell::new(SIZE, |size| layers(12, true, size)).by(|plan| side(plan, 8)),
+        ALL,
+    ),
+    (
+        "1 thread",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 1)),
+        ALL,
+    ),
+    (
+        "3 threads",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 3)),
+        ALL,
+    ),
+    (
+        "8 threads",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 8)),
+        ALL,
+    ),
+    (
+        "64 threads",
+        Cell::new(SIZE, |size| vec![vec![grid(900, size), grid(300, size)]]).by(|plan| threads(plan, 64)),
+        ALL,
+    ),
+    (
+        "64 threads for a pixel",
+        Cell::new([1, 1], |size| vec![vec![grid(100, size)]]).by(|plan| threads(plan, 64)),
+        ALL,
+    ),
+    (
+        "64 threads, tiles of 8",
+        Cell::new(SIZE, |size| layers(12, true, size)).by(|plan| threads(side(plan, 8), 64)),
+        ALL,
+    ),
 ];
 
 /// What the pixels are seen against; transparent ones would show where alpha is lost.
@@ -392,14 +599,23 @@ fn cells_draw_what_they_say() {
             .map(|soups| {
                 let draw = |canvas: &mut Canvas| {
                     let mut counts = Counts::default();
-                    soups.iter().for_each(|soup| counts += canvas.draw(&soup.shader(), &soup.mesh(), cell.cull));
+                    soups
+                        .iter()
+                        .for_each(|soup| counts += canvas.draw(&soup.shader(), &soup.mesh(), cell.cull));
                     counts
                 };
                 let (image, _): (Image, Counts) = drawn(Way::Simple, cell.size, BACKGROUND, draw);
                 image.pixels().filter(|pixel| pixel.2 != BACKGROUND).count()
             })
             .sum();
-        let nothing = ["no mesh", "no triangle", "without area", "beside the picture", "all behind the eye", "1×1, nothing covered"];
+        let nothing = [
+            "no mesh",
+            "no triangle",
+            "without area",
+            "beside the picture",
+            "all behind the eye",
+            "1×1, nothing covered",
+        ];
         assert_eq!(covered == 0, nothing.contains(name), "{name}: {covered}");
     }
 }

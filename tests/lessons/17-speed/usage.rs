@@ -14,7 +14,10 @@ fn wrong_command_lines() {
     usage::refuses(
         &LESSON,
         &[
-            (&["--filter", "linear"], "--filter linear: there are nearest, bilinear, bilinear-8, trilinear, anisotropic"),
+            (
+                &["--filter", "linear"],
+                "--filter linear: there are nearest, bilinear, bilinear-8, trilinear, anisotropic",
+            ),
             (&["--wrap", "mirrored"], "--wrap mirrored: there are clamp, repeat, mirror"),
             (&["--threads", "0"], "--threads <N>"),
             (&["--threads", "1000000"], "--threads <N>"),

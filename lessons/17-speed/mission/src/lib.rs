@@ -28,5 +28,7 @@ pub use speed_given::{Cover, Edges, SIDE, draw};
 #[must_use]
 pub fn cover(edges: DVec3, right: DVec3, up: DVec3, inside: DVec3) -> Cover {
     let _ = (edges, right, up, inside);
-    todo!("what each edge function is at the pixels in the block's four corners, and what that says of all 64")
+    todo!(
+        "what each edge function is at the pixels in the block's four corners, and what that says of all 64"
+    )
 }

@@ -20,17 +20,16 @@ mod tile;
 
 use std::sync::{Mutex, PoisonError};
 
-use clipping::render::{Vertices, triangles_with};
+use clipping::render::{Computed, Stages};
 use clipping::{Clipping, Counts};
 use common::{Bounds, IVec2, Image};
 use fearless_simd::{Level, dispatch};
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::lamps::Lamps;
 use scene::render::{Frame, Loops, Pass, Renderer};
 use scene::scene::Style;
 
 use crate::eight::packed;
+use crate::threads::Threads;
 use corners::{Corners, Numbers, Triangle};
 use fragments::{Fragments, Look};
 use light::Lamp;
@@ -38,19 +37,23 @@ use tile::{SIDE, Tile};
 
 /// What draws a scene in tiles, with all the memory that it takes, kept from frame to frame.
 pub struct Sixteen {
-    /// The threads, if there are several.
-    pool: Option<ThreadPool>,
+    threads: Threads,
+    tiled: Tiled,
+    /// Pictures of one sample a pixel.
+    loops: Loops,
+}
+
+/// What draws pictures of sixteen samples a pixel.
+struct Tiled {
     level: Level,
     /// For the vertices, and for the pixels.
     lamps: (Lamps, Vec<Lamp>),
-    vertices: Vertices<Numbers>,
+    vertices: Vec<Computed<Numbers>>,
     triangles: Vec<Triangle>,
     /// For each tile the numbers of the triangles that reach into it.
     by_tile: Vec<Vec<u32>>,
     /// For each thread what it works with.
     desks: Vec<Mutex<Desk>>,
-    /// Pictures of one sample a pixel.
-    loops: Loops,
 }
 
 /// A tile, and the fragments in it that are not shaded yet.
@@ -67,30 +70,34 @@ impl Sixteen {
     /// Where the system starts no thread.
     #[must_use]
     pub fn new(threads: usize) -> Self {
-        let threads = threads.max(1);
-        let pool = (threads > 1).then(|| {
-            ThreadPoolBuilder::new().num_threads(threads).build().expect("the system starts threads")
-        });
-        Self {
-            pool,
+        let tiled = Tiled {
             level: Level::new(),
             lamps: Default::default(),
-            vertices: Vertices::default(),
+            vertices: Vec::new(),
             triangles: Vec::new(),
             by_tile: Vec::new(),
-            desks: (0..threads).map(|_| Mutex::default()).collect(),
-            loops: Loops::default(),
-        }
+            desks: (0..threads.max(1)).map(|_| Mutex::default()).collect(),
+        };
+        Self { threads: Threads::new(threads), tiled, loops: Loops::default() }
     }
 
     /// The same with the instructions of that level, one that the machine has.
     #[must_use]
     pub fn at_level(self, level: Level) -> Self {
-        Self { level, ..self }
+        Self { tiled: Tiled { level, ..self.tiled }, ..self }
     }
+}
 
+impl Tiled {
     /// Computes the vertices of a pass, and sorts its triangles into tiles.
-    fn sort(&mut self, number: usize, pass: &Pass, style: Style, picture: Bounds) -> Counts {
+    fn sort(
+        &mut self,
+        threads: &Threads,
+        number: usize,
+        pass: &Pass,
+        style: Style,
+        picture: Bounds,
+    ) -> Counts {
         let Self { lamps, vertices, triangles, by_tile, .. } = self;
         let size = (picture.max + 1).as_vec2();
         let across = tiles(picture).x;
@@ -109,7 +116,10 @@ impl Sixteen {
             }
             triangles.push(triangle);
         };
-        triangles_with(vertices, &corners, pass.mesh.assembled(), pass.cull, Clipping::GuardBand, size, fill)
+        let mesh = pass.mesh.assembled();
+        let stages = Stages::new(&corners, pass.cull, Clipping::GuardBand, size);
+        threads.fill(vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
+        stages.triangles(vertices, mesh.triangles(), fill)
     }
 }
 
@@ -154,9 +164,17 @@ fn tiles(picture: Bounds) -> IVec2 {
 
 impl Renderer for Sixteen {
     fn draw(&mut self, frame: &Frame, picture: &mut Image) -> Counts {
-        if !frame.antialiased {
-            return self.loops.draw(frame, picture);
+        let Self { threads, tiled, loops } = self;
+        if frame.antialiased {
+            threads.run(|| tiled.draw(threads, frame, picture))
+        } else {
+            loops.draw(frame, picture)
         }
+    }
+}
+
+impl Tiled {
+    fn draw(&mut self, threads: &Threads, frame: &Frame, picture: &mut Image) -> Counts {
         let (scene, bounds) = (frame.scene, picture.bounds());
         self.lamps.0.set(&scene.lights);
         self.lamps.1.clear();
@@ -168,7 +186,7 @@ impl Renderer for Sixteen {
         let mut counts = Counts::default();
         let passes: Vec<Pass> = frame.passes().collect();
         for (number, pass) in passes.iter().enumerate() {
-            counts += self.sort(number, pass, scene.style, bounds);
+            counts += self.sort(threads, number, pass, scene.style, bounds);
         }
         let looks: Vec<Look> =
             passes.iter().map(|pass| Look::new(pass, scene.style, &self.lamps.1)).collect();
@@ -181,14 +199,9 @@ impl Renderer for Sixteen {
             desks: &self.desks,
             level: self.level,
         };
-        let row = SIDE as usize * 3 * picture.width() as usize;
-        let draw = |(row, bytes): (usize, &mut [u8])| sorted.draw_row(row, bytes);
-        match &self.pool {
-            None => picture.buffer_mut().chunks_mut(row).enumerate().for_each(draw),
-            Some(pool) => pool.install(|| {
-                picture.buffer_mut().par_chunks_mut(row).with_max_len(1).enumerate().for_each(draw);
-            }),
-        }
+        // A picture without pixels has no row.
+        let row = (SIDE as usize * 3 * picture.width() as usize).max(1);
+        threads.each_piece(picture.buffer_mut(), row, |row, bytes| sorted.draw_row(row, bytes));
         counts
     }
 }
