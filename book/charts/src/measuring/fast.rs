@@ -25,7 +25,7 @@ use crate::lessons::speed::charts::scene_works;
 /// Layers, the nearest first.
 pub(super) const FRONT: Comparison = Comparison {
     name: "17-speed-front",
-    works: |count| Ok(layered(layers::front(count as u16, layers::TILT))),
+    works: |count| Ok(layered(layers::front(count as u16, tilt(count)))),
     measure: |run| measure_layers(run, FRONT.name),
     draw: |folder| layers_chart(folder, FRONT.name, "nearest first"),
 };
@@ -33,13 +33,18 @@ pub(super) const FRONT: Comparison = Comparison {
 /// The same layers, the farthest first.
 pub(super) const BACK: Comparison = Comparison {
     name: "17-speed-back",
-    works: |count| Ok(layered(layers::back(count as u16, layers::TILT))),
+    works: |count| Ok(layered(layers::back(count as u16, tilt(count)))),
     measure: |run| measure_layers(run, BACK.name),
     draw: |folder| layers_chart(folder, BACK.name, "farthest first"),
 };
 
 /// How many layers there are.
 const LAYERS: [usize; 5] = [2, 5, 10, 20, 50];
+
+/// How far so many layers are tilted, in steps from one to the next: as far as all of them stay before the eye.
+fn tilt(count: usize) -> f32 {
+    layers::TILT.min(0.1 * (count - 1) as f32)
+}
 
 /// All methods that draw on one thread.
 fn single() -> &'static [Method<Renderer>] {
