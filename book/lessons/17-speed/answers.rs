@@ -3,7 +3,7 @@
 use common::DVec3;
 use speed::blocks::{Cover, SIDE, cover};
 
-use super::figures::nearly;
+use super::figures::crossing;
 use super::sketches::{example, faster};
 
 /// The block of four by four, and what its corners say.
@@ -45,8 +45,8 @@ fn what_threads_gain() {
 
 /// The figure's bound loses pixels, as it should.
 #[test]
-fn a_bound_without_a_margin_loses_pixels() {
-    let [right, wrong] = [false, true].map(|in_blocks| nearly(64, in_blocks));
+fn a_bound_at_the_middle_loses_pixels() {
+    let [right, wrong] = [false, true].map(|by_middles| crossing(64, by_middles));
     let lost = right.iter().zip(&wrong).filter(|(right, wrong)| right != wrong).count();
     assert!(lost > 0, "{lost}");
 }

@@ -13,7 +13,6 @@ use speed::blocks::SIDE;
 use speed::eight::EachPixel;
 use speed::frame::{Frame, Plan};
 use speed::{METHODS, Picture};
-use triangles::edges::Setup;
 use triangles::fill;
 use zbuffer::depth_at;
 
@@ -59,7 +58,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
         "speed-tiles",
         "A grid of thirteen by thirteen tiles over the outline of a head and a floor, in each the number of triangles that reach into it: \
-         one or two on the floor, hundreds about the eyes.",
+         a few on the floor, hundreds about the eyes.",
         tiles,
     ),
     Figure::new(
@@ -69,10 +68,10 @@ pub(crate) const FIGURES: &[Figure] = &[
         hierarchy,
     ),
     Figure::new(
-        "speed-margin",
-        "Two nearly equal planes over one another, in three pictures: fine stripes of both, the same with whole squares of one colour, and the \
-         difference, which are squares.",
-        margin,
+        "speed-bound",
+        "Two planes that cut each other along a slanted line, in three pictures: the line straight; the line in steps of eight pixels; and \
+         the triangles between the two.",
+        bound,
     ),
     Figure::new(
         "speed-visibility",
@@ -82,7 +81,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure::new(
         "speed-groups",
         "Six rows of eight pixels, each with the number of the triangle that is seen in it, and beside each row how many triangles it has: \
-         one to four.",
+         several.",
         groups,
     ),
     Figure::new(
@@ -303,55 +302,32 @@ fn hierarchy() -> anyhow::Result<Drawing> {
     rows_of(&[vec![pixels, farthest]])
 }
 
-/// Two triangles that cover a square picture, their planes so near to each other that rounding decides.
-const NEARLY: [[f32; 3]; 2] = [[0.7, 0.700_000_6, 0.700_000_3], [0.700_000_06, 0.700_000_54, 0.700_000_36]];
+/// Two triangles that cover a square picture: a level one, and a steep one that cuts it.
+const CROSSING: [[f32; 3]; 2] = [[0.5; 3], [0.1, 0.9, 0.6]];
 
-/// Which of the two is seen in each pixel, the second one drawn after the first: tested pixel by pixel, or rejected before in blocks
-/// where its plane, without any margin, is nowhere nearer than the farthest of the first.
-pub(super) fn nearly(side: u16, in_blocks: bool) -> Vec<bool> {
+/// In which pixels the steep triangle is seen, drawn after the level one: tested pixel by pixel, or rejected before in blocks in whose
+/// middle it is no nearer than the farthest that is there.
+pub(super) fn crossing(side: u16, by_middles: bool) -> Vec<bool> {
     let wide = f32::from(side);
-    let corners = [
-        Vec2::new(-0.25 * wide, -0.25 * wide),
-        Vec2::new(2.5 * wide, -0.25 * wide),
-        Vec2::new(-0.25 * wide, 2.5 * wide),
-    ];
+    let corners = [(-0.25, -0.25), (2.5, -0.25), (-0.25, 2.5)].map(|(x, y)| Vec2::new(x, y) * wide);
     let bounds = Bounds { min: IVec2::ZERO, max: IVec2::splat(i32::from(side) - 1) };
     let at = |x: i32, y: i32| y as usize * usize::from(side) + x as usize;
-    let [first, second] = NEARLY.map(|z| {
+    let [level, steep] = CROSSING.map(|z| {
         let mut depths = vec![1.0_f32; usize::from(side) * usize::from(side)];
         fill(corners, bounds, |x, y, weights| depths[at(x, y)] = depth_at(Vec3::from(z), weights));
         depths
     });
-    let setup = Setup::new(corners, bounds);
-    let least = |corner: IVec2| {
-        let Some(setup) = &setup else { return f32::INFINITY };
-        let z = Vec3::from(NEARLY[1]).as_dvec3();
-        let plane = |x: i32, y: i32| {
-            let edges = setup.edges + setup.right * f64::from(x) + setup.up * f64::from(y);
-            (edges * setup.per_area).dot(z)
-        };
-        let ends = [0, SIDE - 1];
-        let all = ends.into_iter().flat_map(|j| ends.map(|i| plane(corner.x + i, corner.y + j)));
-        all.fold(f64::INFINITY, f64::min) as f32
+    let pixel = |(x, y): (i32, i32)| {
+        let middle = (IVec2::new(x, y) / SIDE * SIDE + SIDE / 2).min(bounds.max);
+        let rejected = by_middles && steep[at(middle.x, middle.y)] >= level[at(middle.x, middle.y)];
+        !rejected && steep[at(x, y)] < level[at(x, y)]
     };
-    let pixel = |x: i32, y: i32| {
-        let corner = IVec2::new(x, y) / SIDE * SIDE;
-        let block =
-            (corner.y..corner.y + SIDE).flat_map(|y| (corner.x..corner.x + SIDE).map(move |x| (x, y)));
-        let farthest = block.filter(|&(x, y)| x <= bounds.max.x && y <= bounds.max.y);
-        let farthest = farthest.map(|(x, y)| first[at(x, y)]).fold(0.0, f32::max);
-        let rejected = in_blocks && least(corner) >= farthest;
-        !rejected && second[at(x, y)] < first[at(x, y)]
-    };
-    (0..i32::from(side))
-        .flat_map(|y| (0..i32::from(side)).map(move |x| (x, y)))
-        .map(|(x, y)| pixel(x, y))
-        .collect()
+    (0..i32::from(side)).flat_map(|y| (0..i32::from(side)).map(move |x| (x, y))).map(pixel).collect()
 }
 
-fn margin() -> anyhow::Result<Drawing> {
+fn bound() -> anyhow::Result<Drawing> {
     const PIXELS: u16 = 148;
-    let [right, wrong] = [false, true].map(|in_blocks| nearly(PIXELS, in_blocks));
+    let [right, wrong] = [false, true].map(|by_middles| crossing(PIXELS, by_middles));
     let at = |x: i32, y: i32| y as usize * usize::from(PIXELS) + x as usize;
     let (one, other) = (Color::rgb(0x1f, 0x55, 0x77), Color::rgb(0xf2, 0xc1, 0x4e));
     let picture = |seen: &[bool]| painted(PIXELS, PIXELS, |x, y| if seen[at(x, y)] { other } else { one });

@@ -122,10 +122,10 @@ pub(super) fn order() -> anyhow::Result<Drawing> {
     let balanced = (a + b) + (c + d);
     let exact = numbers.into_iter().map(f64::from).sum::<f64>();
     let node = |sheet: &mut Sheet, at: Vec2, words: &str, ink: Ink| {
-        sheet.labelled(at, (if words.len() > 3 { 2.5 } else { 0.9 }, 0.65), ink, words);
+        sheet.labelled(at, (if words.chars().count() > 3 { 2.5 } else { 0.9 }, 0.65), ink, words);
     };
     let number = |x: f32| -> String {
-        let text = format!("{x}");
+        let text = format!("{}", f64::from(x));
         let (head, tail) = text.split_at(text.len().saturating_sub(3));
         let (first, middle) = head.split_at(head.len().saturating_sub(3));
         format!("{first},{middle},{tail}")
@@ -204,7 +204,7 @@ pub(super) fn groups() -> anyhow::Result<Drawing> {
     const ROWS: i32 = 6;
     let image = seen(SIZE)?;
     // About the eye, where triangles are small.
-    let (left, bottom) = (328, 480);
+    let (left, bottom) = (216, 536);
     let mut sheet = Sheet::new((0.0, 0.0), (15.5, 6.6));
     let mut known: Vec<Color> = Vec::new();
     let inks = [SKY, AMBER, MINT, ROSE, PALE, FAINT];
@@ -239,7 +239,7 @@ fn costs() -> anyhow::Result<Vec<f32>> {
 pub(super) fn schedule() -> anyhow::Result<Drawing> {
     let costs = costs()?;
     let whole: f32 = costs.iter().sum();
-    let mut sheet = Sheet::new((-13.0, -0.4), (70.0, 24.6));
+    let mut sheet = Sheet::new((-13.0, -0.4), (70.0, 25.2));
     let length = |cost: f32| cost / whole * 100.0;
     let mut bar = |y: f32, from: f32, cost: f32, ink: Ink| {
         sheet.rectangle((from, y), (from + length(cost), y + 3.2), ink, BLACK);
@@ -261,8 +261,8 @@ pub(super) fn schedule() -> anyhow::Result<Drawing> {
     for (y, words) in [(20.6, "thread 1"), (16.2, "thread 2"), (8.6, "thread 1"), (4.2, "thread 2")] {
         sheet.text_left_of((-0.8, y), words, BLACK);
     }
-    sheet.text_right_of((0.0, 23.4), "each its half of the tiles", GREY);
-    sheet.text_right_of((0.0, 11.6), "each the next tile when it is free", GREY);
+    sheet.text_right_of((0.0, 23.9), "each its half of the tiles", GREY);
+    sheet.text_right_of((0.0, 12.0), "each the next tile when it is free", GREY);
     sheet.arrow((0.0, 0.8), (66.0, 0.8), GREY);
     sheet.text_left_of((-0.8, 0.8), "time", GREY);
     sheet.finish()
@@ -365,11 +365,20 @@ pub(super) fn roofline() -> anyhow::Result<Drawing> {
     );
     let inks = [GREY, PURPLE, ORANGE, GREEN, AMBER, BLUE, BLACK];
     let methods: Vec<_> = rows.iter().filter(|row| !["memory", "core"].contains(&row.0.as_str())).collect();
+    let mut labels: Vec<Vec2> = Vec::new();
     for ((name, [operations, bytes, rate]), ink) in methods.into_iter().zip(inks) {
         let place = at(operations / bytes, rate / 1000.0);
         sheet.dot(place, ink);
         let right = place.x < low.x + 0.62 * wide;
-        let beside = place + Vec2::X * if right { 0.18 } else { -0.18 };
+        let mut beside = place + Vec2::X * if right { 0.18 } else { -0.18 };
+        // Below those that are there already.
+        while labels
+            .iter()
+            .any(|other| (other.x - beside.x).abs() < 0.3 * wide && (other.y - beside.y).abs() < 0.055 * tall)
+        {
+            beside.y -= 0.01 * tall;
+        }
+        labels.push(beside);
         if right { sheet.text_right_of(beside, name, BLACK) } else { sheet.text_left_of(beside, name, BLACK) }
     }
     sheet.finish()

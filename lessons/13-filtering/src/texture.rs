@@ -76,7 +76,16 @@ impl<L: Layout> Level<L> {
     #[must_use]
     pub fn texel(&self, i: i32, j: i32) -> Color {
         debug_assert!((0..self.width).contains(&i) && (0..self.height).contains(&j));
-        let place = self.layout.place(i as u32, j as u32);
+        self.at(self.layout.place(i as u32, j as u32))
+    }
+
+    /// The texel at a place in memory, as the layout tells places.
+    ///
+    /// # Panics
+    /// Beyond the last.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, place: usize) -> Color {
         self.lines[place / 16].0[place % 16]
     }
 

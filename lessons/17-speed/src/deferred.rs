@@ -74,6 +74,8 @@ pub(crate) fn shade_block<S: Simd, W: Wide>(
             let weights = row.weights(simd, edges.per_area);
             let depths = from_least(simd, triangle.z, weights);
             depths.store_slice(&mut tile.depths[place..place + 8]);
+            // What was seen before it.
+            u32x8::splat(simd, NONE).store_slice(&mut tile.seen[place..place + 8]);
             let colors = &mut tile.colors[place..place + 8];
             shade(simd, job.shader, &[(u8::MAX, triangle)], [corner.x, y], weights, depths, u8::MAX, colors);
             row.step(edges.up);

@@ -4,7 +4,6 @@ use common::Vec2;
 use fearless_simd::{Simd, f32x8, i32x8, prelude::*, u32x8};
 use filtering::filter::{Anisotropic, Bilinear, Bilinear8, Filter, Nearest, Trilinear};
 use filtering::footprint::Asked;
-use filtering::layout::Layout;
 use filtering::shader::Filtered;
 use filtering::{Texture, Wrap};
 use perspective::lighting::Clamped;
@@ -18,10 +17,10 @@ pub type Textured<'a, S, F> = Eight<'a, S, (<<F as Filter>::Footprint as Asked>:
 pub trait WideFilter: Filter<Footprint: Asked<Constant: Send + Sync + 'static>> + Default + Sync {
     /// The colours at eight (u, v).
     #[inline(always)]
-    fn colors<S: Simd, L: Layout>(
+    fn colors<S: Simd>(
         self,
         simd: S,
-        texture: &Texture<L>,
+        texture: &Texture,
         [u, v]: [f32x8<S>; 2],
         eight: &Textured<S, Self>,
     ) -> u32x8<S> {
@@ -42,25 +41,26 @@ impl WideFilter for Anisotropic {}
 
 impl WideFilter for Nearest {
     #[inline(always)]
-    fn colors<S: Simd, L: Layout>(
+    fn colors<S: Simd>(
         self,
         simd: S,
-        texture: &Texture<L>,
+        texture: &Texture,
         [u, v]: [f32x8<S>; 2],
         eight: &Textured<S, Self>,
     ) -> u32x8<S> {
         let level = texture.base();
-        let i = texel(simd, u, level.width(), texture.wrap).to_array();
-        let j = texel(simd, v, level.height(), texture.wrap).to_array();
+        let i = texel(simd, u, level.width(), texture.wrap);
+        let j = texel(simd, v, level.height(), texture.wrap);
+        // Row after row: no texture has so many texels that this overflows.
+        let places = (j * level.width() + i).to_array();
         let mut colors = [0; 8];
         if eight.asked == u8::MAX {
-            for lane in 0..8 {
-                colors[lane] = packed(level.texel(i[lane], j[lane]));
-            }
+            colors
+                .iter_mut()
+                .zip(places)
+                .for_each(|(color, place)| *color = packed(level.at(place as usize)));
         } else {
-            for lane in lanes(eight.asked) {
-                colors[lane] = packed(level.texel(i[lane], j[lane]));
-            }
+            lanes(eight.asked).for_each(|lane| colors[lane] = packed(level.at(places[lane] as usize)));
         }
         u32x8::load_array(simd, colors)
     }
@@ -89,7 +89,7 @@ fn fraction<S: Simd>(simd: S, u: f32x8<S>) -> f32x8<S> {
     rest.abs().simd_lt(1.0).select(positive, zero)
 }
 
-impl<F: WideFilter, O: Layout + Sync> Wide for Filtered<'_, F, Clamped, O> {
+impl<F: WideFilter> Wide for Filtered<'_, F, Clamped> {
     fn keeps_all(&self) -> bool {
         true
     }

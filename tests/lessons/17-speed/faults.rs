@@ -229,14 +229,15 @@ pub(crate) const FAULTS: &[Fault<Speed>] = &[
             said!(|least, most, inside| judged(least, most, inside + 1.0)),
             said!(|least, most, inside| judged(least, most - 1.0, inside)),
             said!(|least, most, inside| judged(least - 1.0, most, inside)),
+            // More than 0 on each side.
+            said!(|least, most, _inside| judged(least, most, DVec3::ONE)),
         ],
     },
     Fault {
-        cause: "compared with 0: the least value inside is 0 on top and left sides, else 1, as inside says",
+        cause: "compared with 0: that is inside of top and left sides alone, and inside says of which",
         hint: Some(5),
         versions: &[
             said!(|least, most, _inside| judged(least, most, DVec3::ZERO)),
-            said!(|least, most, _inside| judged(least, most, DVec3::ONE)),
             said!(|least, most, _inside| judged(least - 1.0, most, DVec3::ZERO)),
             said!(|least, most, _inside| judged(least, most - 1.0, DVec3::ZERO)),
         ],

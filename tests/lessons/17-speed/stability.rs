@@ -238,6 +238,16 @@ const CELLS: &[Case<Cell>] = &[
     ("front to back", Cell::new(SIZE, |size| layers(20, false, size)), ALL),
     ("back to front", Cell::new(SIZE, |size| layers(20, true, size)), ALL),
     (
+        "a part of a block, then all of it, then a part by another mesh",
+        Cell::new(SIZE, |size| {
+            let small = |x: i32, z: f32| [px(x, 17), px(x + 2, 17), px(x, 22)].map(|corner| deep(corner, z));
+            let full = FULL.map(|corner| deep(corner, 0.5));
+            let meshes = || vec![Soup::apart(&[small(17, 0.7), full], size), Soup::apart(&[small(21, 0.3)], size)];
+            vec![meshes(), meshes()]
+        }),
+        ALL,
+    ),
+    (
         "through each other",
         Cell::new(SIZE, |size| {
             let tilted = |z: [f32; 3]| [0, 1, 2].map(|n| deep(FULL[n], z[n]));
