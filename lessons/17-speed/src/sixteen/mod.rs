@@ -5,7 +5,7 @@
 //! and resolved: its samples, 132 KB, stay in a core's second cache, and each core needs just one tile. Sixteen samples are
 //! covered and compared by a few instructions; fragments, of whatever triangles, are shaded eight at a time.
 //! **What it costs:** meshes of all looks must be one kind of triangle, so what is interpolated is an array of numbers
-//! ([`corners`]), and what it means is told when the program runs, once for eight fragments.
+//! (`corners`), and what it means is told when the program runs, once for eight fragments.
 //!
 //! Pixels are those of lesson 16's own loops, to the last bit: each number is computed by the same operations in the same
 //! order. With one sample a pixel they draw themselves.
@@ -229,11 +229,13 @@ mod tests {
     use super::*;
 
     fn targets(width: u16, height: u16) -> [Target; 3] {
-        let fast = |threads| Target::with(Box::new(Sixteen::new(threads)), width, height);
-        [Target::new(width, height), fast(1), fast(3)]
+        let with = |sixteen| Target::with(Box::new(sixteen), width, height);
+        let fallback = Sixteen::new(3).at_level(Level::baseline());
+        [Target::new(width, height), with(Sixteen::new(1)), with(fallback)]
     }
 
-    /// Draws by lesson 16's renderer and by this one with one thread and with three, all of which must agree.
+    /// Draws by lesson 16's renderer and by this one, with one thread and the machine's best instructions and with three and those
+    /// that all machines of its kind have: all must agree.
     fn assert_same(
         targets: &mut [Target; 3],
         what: &str,
