@@ -21,7 +21,7 @@ fn wrong_command_lines() {
             (&["--wrap", "mirrored"], "--wrap mirrored: there are clamp, repeat, mirror"),
             (&["--threads", "0"], "--threads <N>"),
             (&["--threads", "1000000"], "--threads <N>"),
-            (&["--threads", "-1"], "--threads <N>"),
+            (&["--threads=-1"], "--threads <N>"),
             (&["--threads", "two"], "--threads <N>"),
             (&["--repeat", "0"], "--repeat <N>"),
             (&["--repeat", "4294967296"], "--repeat <N>"),
