@@ -356,8 +356,16 @@ pub(crate) fn alike(methods: &[&str], wrong: &[&str], series: &[Series]) -> Vec<
             }),
         }
     }
+    if let [line] = &mut lines[..]
+        && methods.len() > MOST_NAMES
+    {
+        line.name = format!("all {} methods", methods.len());
+    }
     lines
 }
+
+/// Where all methods share a line, so many are named beside it.
+const MOST_NAMES: usize = 4;
 
 #[cfg(test)]
 mod tests {
