@@ -3,7 +3,7 @@
 use clipping::render::triangles;
 use clipping::{Clipping, Counts, Cull, Mesh, render};
 use common::{Color, Format, Image};
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
 use perspective::depth::ZF32;
 use perspective::{Framebuffer, draw_triangle};
 use speed::Plan;
@@ -30,6 +30,8 @@ impl Way {
 
 /// The levels of instructions that this machine has, from the least one on.
 pub(crate) fn levels() -> Vec<Level> {
+    #[cfg(target_arch = "x86_64")]
+    use fearless_simd::Simd;
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
     let others = [
