@@ -208,7 +208,7 @@ fn starters_fail_kindly_and_solutions_pass() {
 fn crates(program: &Path) -> BTreeSet<String> {
     let bytes = fs::read(program).expect("it was built");
     let file = object::File::parse(&*bytes).expect("it is a program");
-    let symbols = file.symbols().filter(|symbol| symbol.is_definition());
+    let symbols = file.symbols().filter(ObjectSymbol::is_definition);
     let names = symbols.filter_map(|symbol| symbol.name().ok().map(str::to_owned));
     let named = |piece: &str| {
         let (_, rest) = piece.split_once('_')?;

@@ -224,7 +224,7 @@ fn chains<S: Simd, const N: usize>(simd: S, times: usize) -> f32 {
     }
     let mut all = sums[0];
     for sum in &sums[1..] {
-        all = all + *sum;
+        all += *sum;
     }
     all.as_slice().iter().sum()
 }

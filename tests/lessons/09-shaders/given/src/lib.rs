@@ -117,6 +117,7 @@ impl Framebuffer {
 
 /// Draws a model in the colours of a source under a lighting. A triangle with a corner at the eye's height or behind it is left
 /// out.
+#[expect(clippy::needless_pass_by_value, reason = "lesson 9's own takes them so")]
 pub fn draw<L: Lighting, S: Source>(uniforms: &Uniforms, source: S, lighting: L, target: &mut Framebuffer) {
     let Framebuffer { image, depths } = target;
     let (model, size) = (uniforms.model, image.size());
