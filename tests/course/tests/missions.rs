@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
+use object::{Object, ObjectSymbol};
 use tasks::{COURSE, name};
 
 use crate::copy::Copy;
@@ -130,6 +131,16 @@ fn starters_fail_kindly_and_solutions_pass() {
         assert!(copy.root.join(format!("out/my-{lesson}.png")).exists());
     }
 
+    // With all that is written called, there is nothing of the lesson itself in the program; in the judge there is. Windows
+    // keeps symbols in another file.
+    for lesson in LESSONS.iter().filter(|_| !cfg!(windows)) {
+        let crates = |program: String| crates(&copy.root.join("target/debug").join(program));
+        let (own, mission) = (name(lesson), crates(format!("my-{}", name(lesson))));
+        let linked = mission.contains("tasks") && mission.contains(&format!("{own}_tasks"));
+        assert!(linked && !mission.contains(own), "{lesson}: {mission:?}");
+        assert!(crates(format!("{own}-judge")).contains(own), "{lesson}");
+    }
+
     // Every input can be pasted into a test.
     for lesson in LESSONS.iter() {
         let solution = copy.read(lesson, "src/lib.rs");
@@ -190,6 +201,21 @@ fn starters_fail_kindly_and_solutions_pass() {
     let failing: Vec<&String> = LESSONS.iter().filter(|lesson| !copy.run(lesson).status.success()).collect();
     assert!(failing.len() > 1);
     assert_eq!(failing, [&[below][..], &built_on(below)].concat());
+}
+
+/// The crates of which a program has functions. Their symbols are mangled by Rust RFC 2603, in which a crate's name has the
+/// form `Cs`, a hash, `_`, its length, and itself.
+fn crates(program: &Path) -> BTreeSet<String> {
+    let bytes = fs::read(program).expect("it was built");
+    let file = object::File::parse(&*bytes).expect("it is a program");
+    let symbols = file.symbols().filter(|symbol| symbol.is_definition());
+    let names = symbols.filter_map(|symbol| symbol.name().ok().map(str::to_owned));
+    let named = |piece: &str| {
+        let (_, rest) = piece.split_once('_')?;
+        let digits = rest.find(|c: char| !c.is_ascii_digit())?;
+        rest[digits..].get(..rest[..digits].parse().ok()?).map(str::to_owned)
+    };
+    names.flat_map(|name| name.split("Cs").skip(1).filter_map(named).collect::<Vec<_>>()).collect()
 }
 
 /// A mission's Cargo.toml with every `# name = …` line in the place of the line above it.
@@ -296,13 +322,22 @@ fn a_mission_is_built_without_what_it_asks_for() {
             .filter(|line| line.contains('/'))
             .filter_map(|line| line.split(' ').next())
             .collect();
-        let manifest =
-            fs::read_to_string(Path::new(COURSE).join("lessons").join(lesson).join("mission/Cargo.toml"));
-        let given = manifest.expect("a mission is a package").contains(&format!("\n{name}.workspace = true"));
         let mut may: BTreeSet<String> = ["common".into(), "tasks".into(), format!("my-{name}")].into();
         may.extend([format!("{name}-tasks"), format!("{name}-given")]);
-        may.extend(LESSONS[..n + usize::from(given)].iter().map(|below| tasks::name(below).to_string()));
+        may.extend(LESSONS[..n].iter().map(|below| tasks::name(below).to_string()));
         let more: Vec<_> = own.iter().filter(|package| !may.contains(**package)).collect();
         assert!(own.contains("tasks") && more.is_empty(), "{lesson}: {more:?}");
+    }
+}
+
+/// Whoever does nothing earns nothing, in each mission: its judge's tests say so, and of all checks that they depend on the seed.
+#[test]
+fn every_mission_is_tried_by_doing_nothing() {
+    for lesson in LESSONS.iter() {
+        let faults = Path::new(COURSE).join("tests/lessons").join(lesson).join("faults.rs");
+        let tests = fs::read_to_string(faults).expect("a mission has faults");
+        let missing =
+            ["JUDGE.check()", "JUDGE.earns_nothing(&"].into_iter().find(|test| !tests.contains(test));
+        assert_eq!(missing, None, "{lesson}");
     }
 }

@@ -10,6 +10,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use ::judge::message;
+use ::judge::source::{Refusal, refused};
 use anyhow::{Context, anyhow, bail, ensure};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -21,7 +22,7 @@ use crate::report::{self, Time};
 use crate::results::{Class, Graded, Lesson, Look, Outcome, Work};
 use crate::submission::{self, Source, Submission, Wanted};
 use crate::walls::Terms;
-use crate::{file, run};
+use crate::{file, run, seed};
 
 /// What to grade, and how.
 pub(crate) struct Options {
@@ -31,8 +32,8 @@ pub(crate) struct Options {
     pub(crate) report: PathBuf,
     /// The course.
     pub(crate) course: PathBuf,
-    /// What the inputs are made from.
-    pub(crate) seed: u64,
+    /// What the inputs are made from, if that is wished for.
+    pub(crate) seed: Option<u64>,
     /// Which lessons.
     pub(crate) lessons: Vec<String>,
     /// Which part of the class, of how many: 1 of 1 is all of it.
@@ -69,11 +70,11 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
     let work = std::path::absolute(options.report.join("work"))?;
     let (graded, scratch) = (work.join("graded"), work.join("scratch"));
     let _lock = begin(&work, &scratch)?;
+    let seed = seed::of(&options.report, options.seed)?;
     let kits = build(options, &scratch)?;
-    let asked: Vec<Vec<Asked>> =
-        kits.iter().map(|kit| judge::checks(kit, options.seed)).collect::<Result<_, _>>()?;
+    let asked: Vec<Vec<Asked>> = kits.iter().map(|kit| judge::checks(kit, seed)).collect::<Result<_, _>>()?;
 
-    let handed_in = collect(&submissions, &kits, options)?;
+    let handed_in = collect(&submissions, &kits, seed, options)?;
     forget(&handed_in, &graded, options)?;
     let mut texts: BTreeMap<&str, &HandedIn> = BTreeMap::new();
     for one in handed_in.iter().filter(|one| matches!(one.source, Source::Text(_))) {
@@ -87,7 +88,7 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
     let try_one = |one: &HandedIn| {
         let Source::Text(text) = &one.source else { return Ok(()) };
         let folder = scratch.join(&one.key);
-        let result = grade_one(&kits[one.lesson], &asked[one.lesson], text, &folder, options);
+        let result = grade_one(&kits[one.lesson], &asked[one.lesson], text, &folder, seed, options);
         if folder.exists() {
             std::fs::remove_dir_all(&folder)?;
         }
@@ -112,7 +113,7 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
     let put_off = put_off.into_inner().unwrap_or_default();
 
     let now = now - put_off.len();
-    let (class, times) = gather(handed_in, &graded, &put_off, options, walls, asked)?;
+    let (class, times) = gather(handed_in, &graded, &put_off, seed, options, walls, asked)?;
     report::write(&class, times, &options.report)?;
     std::fs::remove_dir_all(&scratch)?;
     println!(
@@ -177,6 +178,7 @@ fn build(options: &Options, scratch: &Path) -> anyhow::Result<Vec<Kit>> {
 fn collect<'a>(
     submissions: &'a [Submission],
     kits: &[Kit],
+    seed: u64,
     options: &Options,
 ) -> anyhow::Result<Vec<HandedIn<'a>>> {
     let lessons = tasks::lessons(&options.course)?;
@@ -189,13 +191,14 @@ fn collect<'a>(
         Ok((place, read(&kit.lesson, "mission/src/lib.rs")?, read(&kit.lesson, "src/lib.rs")?))
     };
     let given: Vec<(usize, Vec<u8>, Vec<u8>)> = kits.iter().map(given).collect::<Result<_, _>>()?;
-    let how = format!("{} {}", options.seed, options.terms.closed);
+    let how = format!("{seed} {}", options.terms.closed);
     let mut all = Vec::new();
     for submission in submissions {
         let files = submission.files();
         for (lesson, (place, starter, own)) in given.iter().enumerate() {
             let alone = kits.len() == 1;
-            let source = files.source(&Wanted { lessons: &lessons, lesson: *place, alone, starter, own });
+            let wanted = Wanted { lessons: &lessons, lesson: *place, alone, starter, own };
+            let source = unless_refused(files.source(&wanted));
             let key = match &source {
                 Source::Text(text) => file::digest([kits[lesson].digest.as_bytes(), how.as_bytes(), text]),
                 _ => String::new(),
@@ -204,6 +207,20 @@ fn collect<'a>(
         }
     }
     Ok(all)
+}
+
+/// A source, unless its text says what no submission may say.
+fn unless_refused(source: Source) -> Source {
+    let refused = match &source {
+        Source::Text(text) => std::str::from_utf8(text).ok().and_then(refused),
+        _ => None,
+    };
+    match refused {
+        Some(Refusal { found, because, cure }) => {
+            Source::NotRead(Look { found, because: because.into(), cure })
+        }
+        None => source,
+    }
 }
 
 /// Does something with each text, several at a time, and shows how far it is. The first error ends it.
@@ -243,6 +260,7 @@ fn grade_one(
     asked: &[Asked],
     text: &[u8],
     folder: &Path,
+    seed: u64,
     options: &Options,
 ) -> anyhow::Result<Graded> {
     let started = Instant::now();
@@ -251,7 +269,6 @@ fn grade_one(
     let outcome = match compiled {
         Compiled::Not(said) => Outcome::NotCompiled(said),
         Compiled::Program(program) => {
-            let seed = options.seed;
             let (answers, printed) = run::run(kit, &program, asked, seed, folder, options.terms)?;
             // Nobody knows all the results that a hostile program can send. One of them must not end the class.
             let checks =
@@ -267,6 +284,7 @@ fn gather(
     handed_in: Vec<HandedIn>,
     graded: &Path,
     put_off: &BTreeMap<String, String>,
+    seed: u64,
     options: &Options,
     walls: Vec<Wall>,
     asked: Vec<Vec<Asked>>,
@@ -276,7 +294,7 @@ fn gather(
         checks: asked.into_iter().map(|asked| asked.check).collect(),
     };
     let lessons = options.lessons.iter().zip(asked).map(lesson).collect();
-    let mut class = Class { seed: options.seed, lessons, walls, submissions: BTreeMap::new() };
+    let mut class = Class { seed, lessons, walls, submissions: BTreeMap::new() };
     let mut times = Vec::new();
     for HandedIn { submission, lesson, source, key } in handed_in {
         let (text, outcome) = match source {

@@ -35,9 +35,9 @@ enum Command {
         /// The folder for the reports; made if need be.
         #[arg(long, value_name = "REPORT")]
         out: PathBuf,
-        /// What the inputs are made from; students see those of seed 1.
-        #[arg(long, default_value_t = 2)]
-        seed: u64,
+        /// What the inputs are made from, if not from a random number, which is kept in the report. Students see those of 1.
+        #[arg(long)]
+        seed: Option<u64>,
         /// Which lessons, as in 1-3,7; all of them if not given.
         #[arg(long)]
         lessons: Option<String>,
@@ -139,6 +139,10 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
             let lessons = lessons.map_or(Ok(all.clone()), |list| kit::lessons(&list, &all));
             let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("--lessons: {why}"));
             let lessons = lessons.unwrap_or_else(|why| wrong(why).exit());
+            if shard.1 > 1 && seed.is_none() {
+                let why = "--shard needs --seed: all parts of a class are graded with the same one";
+                Cli::command().error(ErrorKind::MissingRequiredArgument, why).exit();
+            }
             let roster = read(roster)?;
             let class = class::grade(&Options {
                 class: dir,

@@ -43,7 +43,7 @@ pub(crate) fn compile(kit: &Kit, text: &[u8], folder: &Path, terms: Terms) -> an
     std::fs::copy(&kit.main, folder.join("main.rs"))?;
     // The checks, which are compiled once more with the student's types, take most of the time. What is theirs
     // alone may be slower.
-    let bin = ["--crate-type=bin", "--crate-name=program", "-Copt-level=1", "main.rs"];
+    let bin = ["--crate-type=bin", "--crate-name=program", "-Copt-level=1", "-Cstrip=symbols", "main.rs"];
     if let Some(said) = rustc(kit, Role::Linker, &kit.links, &externs, &bin, folder, terms)? {
         return Ok(Compiled::Not(said));
     }

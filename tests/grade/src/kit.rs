@@ -1,24 +1,19 @@
-//! What a submission to a lesson is built with: a pristine course, compiled, and of the lesson's own crate no
-//! more than the mission's starter names.
+//! What a submission to a lesson is built with: a pristine course, compiled, without the lesson itself.
 //!
 //! Cargo builds the mission as it stands in the course, once. From what it built, two folders are put
-//! together. The compiler that reads a student's text is shown `reads`: `common` and the crates of earlier
-//! lessons, not the tasks, and no source at all. Where a mission is given parts of the lesson's own crate
-//! (types, mostly), a façade of that name stands in its place and has those parts alone, so that what is asked
-//! for has no name there. The linker is shown `links`, with the tasks. What is expected is known to
-//! the lesson's judge alone, a program that Cargo builds as well.
+//! together. The compiler that reads a student's text is shown `reads`: `common`, the crates of earlier
+//! lessons, and what the mission gives; not the tasks, and no source at all. The linker is shown `links`, with the
+//! tasks. What is expected is known to the lesson's judge alone, a program that Cargo builds as well: the lesson's own
+//! crate is in neither folder, so that a program has no way to it, whatever its text does.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, ensure};
 use cargo_metadata::{Artifact, CrateType, Message, Metadata, MetadataCommand, PackageId, TargetKind};
 
 use crate::file;
-
-/// How the file of a façade ends.
-const FACADE: &str = "-facade.rlib";
 
 /// Everything but the student's text.
 pub(crate) struct Kit {
@@ -109,9 +104,12 @@ impl Toolchain {
         let of_mission = self.package(&package(lesson))?;
         let direct = self.dependencies(&of_mission);
         let own_tasks = format!("{}_tasks", tasks::name(lesson));
-        let (tasks, given): (Vec<_>, Vec<_>) = direct.iter().partition(|(name, _)| *name == own_tasks);
-        self.gather(given.iter().map(|(_, id)| id), &reads)?;
-        self.gather(tasks.iter().chain(&given).map(|(_, id)| id), &links)?;
+        let given: Vec<_> = direct.iter().filter(|(name, _)| *name != own_tasks).collect();
+        let own = self.package(tasks::name(lesson))?;
+        for (packages, folder) in [(given.clone(), &reads), (direct.iter().collect(), &links)] {
+            let all = self.gather(packages.into_iter().map(|(_, id)| id), folder)?;
+            ensure!(!all.contains(&own), "the mission of {lesson} is built with the lesson that it asks for");
+        }
 
         let judge = self.artifacts.get(&self.package(&tests(lesson))?);
         let judge =
@@ -131,9 +129,7 @@ impl Toolchain {
             reads,
             links,
         };
-        let starter = mission.join("lib.rs");
-        kit.hide_reference(&starter)?;
-        kit.digest = kit.stamp(&starter)?;
+        kit.digest = kit.stamp()?;
         Ok(kit)
     }
 
@@ -155,8 +151,12 @@ impl Toolchain {
             .collect()
     }
 
-    /// Puts these packages, and all that they use, into a folder.
-    fn gather<'a>(&self, packages: impl Iterator<Item = &'a PackageId>, folder: &Path) -> anyhow::Result<()> {
+    /// Puts these packages, and all that they use, into a folder. Returns all of them.
+    fn gather<'a>(
+        &self,
+        packages: impl Iterator<Item = &'a PackageId>,
+        folder: &Path,
+    ) -> anyhow::Result<BTreeSet<PackageId>> {
         std::fs::create_dir_all(folder)?;
         let mut open: Vec<PackageId> = packages.cloned().collect();
         let mut seen = BTreeSet::new();
@@ -169,7 +169,7 @@ impl Toolchain {
                 }
             }
         }
-        Ok(())
+        Ok(seen)
     }
 
     fn externs(&self, packages: Vec<&(String, PackageId)>, folder: &Path) -> anyhow::Result<Vec<String>> {
@@ -195,38 +195,14 @@ impl Toolchain {
 }
 
 impl Kit {
-    /// Puts a façade in the place of the lesson's own crate, if the mission is given parts of it.
-    fn hide_reference(&mut self, starter: &Path) -> anyhow::Result<()> {
-        let own = tasks::name(&self.lesson).to_string();
-        let Some(place) = self.lib.iter().position(|named| named.starts_with(&format!("{own}="))) else {
-            return Ok(());
-        };
-        let (_, real) = self.lib[place].split_once('=').context("an extern has a file")?;
-        let text =
-            std::fs::read_to_string(starter).with_context(|| format!("cannot read {}", starter.display()))?;
-        let source = self.reads.with_file_name("facade.rs");
-        file::write(&source, facade(&text, &own)?.as_bytes())?;
-        let name = format!("lib{own}{FACADE}");
-        let mut rustc = Command::new(&self.rustc);
-        rustc.args(&self.flags).args(["--crate-type=rlib", "-Cmetadata=facade", "--crate-name", &own]);
-        rustc.arg(format!("--extern=reference={real}")).arg("-L").arg(dependencies(&self.reads));
-        run(rustc.arg("-o").arg(self.reads.join(&name)).arg(source))?;
-        link(&self.reads.join(&name), &self.links)?;
-        self.lib[place] = format!("{own}={}", self.reads.join(name).display());
-        Ok(())
-    }
-
     /// A digest of names, sizes and times of change: all that is in the kit was built, and Cargo builds again
     /// what has changed.
-    fn stamp(&self, starter: &Path) -> anyhow::Result<String> {
+    fn stamp(&self) -> anyhow::Result<String> {
         let grader = std::env::current_exe().context("cannot find the grader itself")?;
-        let mut files =
-            vec![grader, self.main.clone(), self.judge.clone(), self.rustc.clone(), starter.to_path_buf()];
+        let mut files = vec![grader, self.main.clone(), self.judge.clone(), self.rustc.clone()];
         for entry in std::fs::read_dir(&self.links)? {
             files.push(entry?.path());
         }
-        // This one is built anew each time, from two of the others.
-        files.retain(|path| !path.to_string_lossy().ends_with(FACADE));
         files.sort();
         let mut digest = self.flags.join(" ");
         for path in &files {
@@ -271,54 +247,6 @@ fn link(file: &Path, folder: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// A crate that re-exports, from `reference`, what a text imports from the crate `own`.
-fn facade(text: &str, own: &str) -> anyhow::Result<String> {
-    let parsed = syn::parse_file(text).context("the mission's starter is not Rust")?;
-    let mut given = Given::default();
-    for item in &parsed.items {
-        if let syn::Item::Use(import) = item
-            && let syn::UseTree::Path(path) = &import.tree
-            && path.ident == own
-        {
-            given.add(&path.tree)?;
-        }
-    }
-    Ok(given.text("::reference"))
-}
-
-/// What a mission is given of a crate, or of a module of it.
-#[derive(Default)]
-struct Given {
-    items: BTreeSet<String>,
-    modules: BTreeMap<String, Self>,
-}
-
-impl Given {
-    /// Adds the items that a `use` names.
-    fn add(&mut self, tree: &syn::UseTree) -> anyhow::Result<()> {
-        match tree {
-            syn::UseTree::Path(path) => {
-                self.modules.entry(path.ident.to_string()).or_default().add(&path.tree)?;
-            }
-            syn::UseTree::Group(group) => return group.items.iter().try_for_each(|item| self.add(item)),
-            syn::UseTree::Name(syn::UseName { ident })
-            | syn::UseTree::Rename(syn::UseRename { ident, .. }) => {
-                self.items.insert(ident.to_string());
-            }
-            syn::UseTree::Glob(_) => bail!("a mission's starter imports all of the lesson"),
-        }
-        Ok(())
-    }
-
-    fn text(&self, path: &str) -> String {
-        let items = self.items.iter().map(|item| format!("pub use {path}::{item};\n"));
-        let modules = self.modules.iter().map(|(name, module)| {
-            format!("pub mod {name} {{\n{}}}\n", module.text(&format!("{path}::{name}")))
-        });
-        items.chain(modules).collect()
-    }
-}
-
 /// Runs a program of ours to its end, and returns what it printed.
 pub(crate) fn run(command: &mut Command) -> anyhow::Result<String> {
     let output =
@@ -360,14 +288,5 @@ mod tests {
         for wrong in ["", "0", "11", "1-", "a", "3-2", "1,,2"] {
             assert!(lessons(wrong, &all).is_err(), "{wrong}");
         }
-    }
-
-    #[test]
-    fn a_facade_has_what_is_given_and_nothing_else() {
-        let text = "use common::Color;\npub use own::{A, b::{C, d as e}};\nuse own::b::F;\nfn g() {}";
-        let facade_text = facade(text, "own").unwrap();
-        let module = "pub mod b {\npub use ::reference::b::C;\npub use ::reference::b::F;\npub use ::reference::b::d;\n}\n";
-        assert_eq!(facade_text, format!("pub use ::reference::A;\n{module}"));
-        assert!(facade("use own::*;", "own").is_err());
     }
 }

@@ -5,6 +5,7 @@
 //!
 //! ```text
 //! submission   finds what was handed in, and reads it without following a link
+//! seed         what the inputs are made from
 //! kit          what a submission to a lesson is built with, made once
 //! compile      rustc and the linker behind walls
 //! run          the program behind walls
@@ -41,6 +42,8 @@ mod report;
 mod results;
 #[cfg(target_os = "linux")]
 mod run;
+#[cfg(target_os = "linux")]
+mod seed;
 #[cfg(target_os = "linux")]
 mod submission;
 #[cfg(target_os = "linux")]

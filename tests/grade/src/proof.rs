@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::net::{TcpListener, UdpSocket};
 use std::os::unix::net::UnixDatagram;
-use std::os::unix::process::ExitStatusExt;
+use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
@@ -30,12 +30,15 @@ pub(crate) struct Wall {
 /// What a prisoner tries: against what the wall is, what it is made of, and whether it held.
 type Attempt = (&'static str, &'static str, fn(&Path) -> bool);
 
-const ATTEMPTS: [Attempt; 6] = [
+const ATTEMPTS: [Attempt; 8] = [
     ("reading the instructor's files", "Landlock", |folder| {
         File::open(folder.join("secret")).is_err() && std::fs::read_dir(folder).is_err()
     }),
     ("writing and deleting", "Landlock", |folder| {
         File::create(folder.join("written")).is_err() && std::fs::remove_file(folder.join("deleted")).is_err()
+    }),
+    ("asking which files there are", "seccomp", |folder| {
+        std::fs::metadata(folder.join("secret")).is_err_and(|error| error.raw_os_error() == Some(libc::EPERM))
     }),
     ("network, TCP, UDP and local", "seccomp", |_| {
         let ip = TcpListener::bind("127.0.0.1:0").is_err() && UdpSocket::bind("127.0.0.1:0").is_err();
@@ -46,6 +49,10 @@ const ATTEMPTS: [Attempt; 6] = [
         let process =
             Command::new("/bin/true").spawn().is_err_and(|error| error.raw_os_error() == Some(libc::EPERM));
         process && std::thread::Builder::new().spawn(|| ()).is_err()
+    }),
+    ("another program in its place", "seccomp", |_| {
+        // Where the wall is not up, it must not become one: this one is not there.
+        Command::new("/dev/null/none").exec().raw_os_error() == Some(libc::EPERM)
     }),
     ("signals to other processes", "seccomp", |_| {
         getppid().is_some_and(|parent| test_kill_process(parent).is_err())

@@ -39,7 +39,7 @@ pub(crate) struct Check {
     pub(crate) name: String,
     /// In one line.
     pub(crate) asks: String,
-    /// All or none are earned.
+    /// What is earned if all is right.
     pub(crate) points: u32,
 }
 

@@ -3,10 +3,11 @@
 use std::cell::RefCell;
 use std::fs::File;
 use std::path::Path;
+use std::process::Stdio;
 use std::time::Instant;
 
 use anyhow::{Context, bail, ensure};
-use judge::ask::{Answered, ask};
+use judge::ask::{Answered, ask, tell_seed};
 use tasks::Answer;
 
 use crate::file;
@@ -59,10 +60,11 @@ pub(crate) fn run(
             file: FILE,
         };
         let mut command = walls.command(program)?;
-        command.arg("--answer").arg(answers).args([from.to_string(), seed.to_string()]);
+        command.arg("--answer").arg(answers).arg(from.to_string()).stdin(Stdio::piped());
         let out = || File::options().append(true).open(&printed);
         command.current_dir(folder).stdout(out()?).stderr(out()?);
-        let child = command.spawn().context("cannot start the launcher")?;
+        let mut child = command.spawn().context("cannot start the launcher")?;
+        tell_seed(&mut child, seed)?;
         processes.borrow_mut().push(child.id());
         Ok(child)
     };

@@ -5,8 +5,10 @@
 //!
 //! | wall | made of |
 //! |---|---|
-//! | files: what is not named cannot be read, written, listed or run | Landlock |
-//! | network, processes, threads, signals to others | a seccomp filter |
+//! | files: what is not named cannot be read, written, listed or run; what is written cannot be read | Landlock |
+//! | files that were open: all but the standard ones are closed | the launcher |
+//! | files that are looked for by name alone | a seccomp filter |
+//! | network, processes, threads, signals to others, another program in its place | a seccomp filter |
 //! | memory, CPU time, size of files and so of output | resource limits |
 //! | time by the clock | the parent, which kills |
 //! | what outlives the grader | a signal when the parent dies |
@@ -14,7 +16,10 @@
 mod calls;
 
 use std::convert::Infallible;
-use std::ffi::OsString;
+use std::ffi::{CString, OsStr, OsString};
+use std::fs::File;
+use std::os::fd::{AsRawFd, OwnedFd};
+use std::os::unix::ffi::OsStrExt;
 use std::os::unix::process::CommandExt;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -25,11 +30,16 @@ use landlock::{
     ABI, Access, AccessFs, BitFlags, CompatLevel, Compatible, PathBeneath, PathFd, Ruleset, RulesetAttr,
     RulesetCreatedAttr, RulesetStatus, path_beneath_rules,
 };
+use nix::fcntl::AtFlags;
+use rustix::io::fcntl_dupfd_cloexec;
 use rustix::process::{Resource, Rlimit, Signal, set_parent_process_death_signal, setrlimit};
 use serde::{Deserialize, Serialize};
 
 /// What the launcher's exit code is when a wall could not be built. Nothing has run then.
 pub(crate) const NOT_BUILT: i32 = 125;
+
+/// How many files a program may have open.
+const DESCRIPTORS: u64 = calls::PROGRAM as u64;
 
 /// On what terms submissions are compiled and run.
 #[derive(Clone, Copy)]
@@ -51,7 +61,7 @@ pub(crate) struct Walls {
     pub(crate) read: Vec<PathBuf>,
     /// Programs and libraries to read and run.
     pub(crate) run: Vec<PathBuf>,
-    /// Files and folders to write, too.
+    /// Files and folders to write. A compiler may read them, too, and put files into them.
     pub(crate) write: Vec<PathBuf>,
     /// Bytes of memory.
     pub(crate) memory: u64,
@@ -85,6 +95,7 @@ impl Walls {
     pub(crate) fn enter(&self, command: &[OsString]) -> anyhow::Result<Infallible> {
         let (program, arguments) = command.split_first().context("there is no program to run")?;
         set_parent_process_death_signal(Some(Signal::KILL)).context("cannot die with the parent")?;
+        close_descriptors().context("cannot close what others left open")?;
         for (resource, limit, maximum) in [
             (Resource::As, self.memory, self.memory),
             // At the limit comes a signal of its own; whoever ignores it has a little time before it is killed.
@@ -97,8 +108,12 @@ impl Walls {
             setrlimit(resource, limit).with_context(|| format!("cannot limit {resource:?}"))?;
         }
         if self.closed {
+            let descriptor = descriptor(program)?;
             self.close_files().context("there is no Landlock, or one older than Linux 6.2's")?;
             calls::restrict(self.role)?;
+            if self.role == Role::Program {
+                return become_program(&descriptor, command);
+            }
         }
         Err(Command::new(program).args(arguments).exec())
             .with_context(|| format!("cannot run {}", program.display()))
@@ -110,6 +125,10 @@ impl Walls {
         // do, more is welcome.
         let (least, most) = (ABI::V3, ABI::V5);
         let read = AccessFs::ReadFile | AccessFs::ReadDir;
+        let write = match self.role {
+            Role::Program => AccessFs::WriteFile.into(),
+            Role::Compiler | Role::Linker => read | AccessFs::from_write(least),
+        };
         let ruleset = Ruleset::default()
             .set_compatibility(CompatLevel::HardRequirement)
             .handle_access(AccessFs::from_all(least))?
@@ -118,12 +137,46 @@ impl Walls {
             .create()?
             .add_rules(path_beneath_rules(&self.read, read))?
             .add_rules(path_beneath_rules(&self.run, read | AccessFs::Execute))?
-            .add_rules(path_beneath_rules(&self.write, read | AccessFs::from_write(least)))?
+            .add_rules(path_beneath_rules(&self.write, write))?
             .add_rules([device("/dev/null", read | AccessFs::WriteFile)].into_iter().flatten())?;
         let status = ruleset.restrict_self()?;
         ensure!(status.ruleset != RulesetStatus::NotEnforced, "Landlock is not there");
         Ok(())
     }
+}
+
+/// Closes all descriptors but the standard ones: whoever started the grader may have left some open.
+fn close_descriptors() -> anyhow::Result<()> {
+    let names: Vec<_> =
+        std::fs::read_dir("/proc/self/fd")?.map(|entry| entry.map(|e| e.file_name())).collect();
+    for name in names {
+        let number: i32 = name?.to_str().context("it has no name")?.parse()?;
+        if number > 2 {
+            // The one by which the folder was read is closed already.
+            let _ = nix::unistd::close(number);
+        }
+    }
+    Ok(())
+}
+
+/// A program's file, under a number that no file gets that is opened later: so the system call that makes this process that
+/// program can be told from all later ones.
+fn descriptor(program: &OsStr) -> anyhow::Result<OwnedFd> {
+    let file = File::open(program).with_context(|| format!("cannot read {}", program.display()))?;
+    let descriptor = fcntl_dupfd_cloexec(&file, calls::PROGRAM).context("cannot name the program")?;
+    ensure!(descriptor.as_raw_fd() == calls::PROGRAM, "cannot name the program");
+    let least = Rlimit { current: Some(DESCRIPTORS), maximum: Some(DESCRIPTORS) };
+    setrlimit(Resource::Nofile, least).context("cannot limit Nofile")?;
+    Ok(descriptor)
+}
+
+/// Becomes a program that cannot become another one.
+fn become_program(descriptor: &OwnedFd, command: &[OsString]) -> anyhow::Result<Infallible> {
+    let words: Vec<CString> =
+        command.iter().map(|word| CString::new(word.as_bytes())).collect::<Result<_, _>>()?;
+    let variables: [CString; 0] = [];
+    nix::unistd::execveat(descriptor, c"", &words, &variables, AtFlags::AT_EMPTY_PATH)
+        .with_context(|| format!("cannot run {}", command[0].display()))
 }
 
 /// Access to a device, if it is there.

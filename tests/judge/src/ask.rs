@@ -4,7 +4,7 @@
 //! a while, the task at hand gets that as its answer, and another child does the rest.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{ErrorKind, Read, Write};
 use std::path::Path;
 use std::process::{Child, ExitStatus};
 use std::time::Duration;
@@ -35,6 +35,18 @@ pub struct Answered {
     pub answers: Vec<Answer>,
     /// How those children ended that were not stopped.
     pub ends: Vec<ExitStatus>,
+}
+
+/// Tells a program, on its standard input, from which seed the tasks are made.
+///
+/// # Errors
+/// Where the child cannot be told, though it lives.
+pub fn tell_seed(child: &mut Child, seed: u64) -> std::io::Result<()> {
+    let Some(mut input) = child.stdin.take() else { return Ok(()) };
+    match writeln!(input, "{seed}") {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        told => told,
+    }
 }
 
 /// All answers, from as many children as it takes, to checks of so many questions each. `start(file, from)` starts

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use tasks::{Answer, COURSE, SEED, attempt};
+use tasks::{Answer, COURSE, Raw, SEED, attempt};
 
 use super::fault::Row;
-use super::{Judge, Verdict};
+use super::{AnswerKey, Judge, Verdict};
 
 impl<F> Judge<F> {
     /// What the checks say of these functions. Answers cross as text, as they do between processes.
@@ -22,7 +22,20 @@ impl<F> Judge<F> {
         self.judge(seed, &self.key(seed), &answers)
     }
 
-    /// Checks that a fault costs the points of a check, and that its cause is said to be one with these words.
+    /// Checks that functions which do nothing earn nothing, whatever the seed.
+    ///
+    /// # Panics
+    /// Where they earn something.
+    #[track_caller]
+    pub fn earns_nothing(&self, nothing: &F) {
+        for seed in [SEED, 2, 3] {
+            let verdicts = self.verdicts(nothing, seed);
+            let earning: Vec<_> = verdicts.iter().filter(|verdict| verdict.earned() > 0).collect();
+            assert!(earning.is_empty(), "{earning:?}");
+        }
+    }
+
+    /// Checks that a fault costs points of a check, and that its cause is said to be one with these words.
     ///
     /// # Panics
     /// Where that is not so.
@@ -30,7 +43,7 @@ impl<F> Judge<F> {
     pub fn recognises(&self, functions: &F, check: &str, words: &str) {
         let verdicts = self.verdicts(functions, SEED);
         let verdict = verdicts.iter().find(|verdict| verdict.name == check).expect("there is such a check");
-        assert_eq!(verdict.earned(), 0, "{verdict:?}");
+        assert!(verdict.earned() < verdict.points, "{verdict:?}");
         assert!(verdict.cause.as_ref().is_some_and(|cause| cause.contains(words)), "{verdict:?}");
     }
 
@@ -75,7 +88,8 @@ impl<F> Judge<F> {
         }
     }
 
-    /// Checks that the reference is right whatever the seed, and that the points add up to 10.
+    /// Checks that the reference is right whatever the seed, that each check asks for something else with another one, and
+    /// that the points add up to 10.
     ///
     /// # Panics
     /// Where that is not so.
@@ -86,6 +100,12 @@ impl<F> Judge<F> {
             let wrong: Vec<_> = verdicts.iter().filter(|verdict| !verdict.wrong.is_empty()).collect();
             assert!(wrong.is_empty(), "{wrong:?}");
             assert_eq!(verdicts.iter().map(Verdict::earned).sum::<u32>(), 10);
+        }
+        let asked = |key: &AnswerKey| -> Vec<(String, Raw)> {
+            key.questions.iter().map(|asked| (asked.input.clone(), asked.expected.clone())).collect()
+        };
+        for (key, other) in self.key(2).iter().zip(self.key(3)) {
+            assert!(asked(key) != asked(&other), "{}: the same whatever the seed", key.name);
         }
     }
 }

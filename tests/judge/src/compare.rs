@@ -194,17 +194,21 @@ pub struct Verdict {
     pub asks: &'static str,
     /// What it is worth.
     pub points: u32,
-    /// The answers that are wrong; if there is none, the points are earned.
+    /// The answers that are wrong; if there is none, all points are earned.
     pub wrong: Vec<Wrong>,
+    /// How many answers are right, of how many. Of those that are expected to be the same, one counts: whoever answers
+    /// always the same has answered once.
+    pub right: [usize; 2],
     /// What explains the answers, if a known fault gives the same ones.
     pub cause: Option<String>,
 }
 
 impl Verdict {
-    /// The points earned: all or none.
+    /// The points earned, in proportion to what is right, rounded down.
     #[must_use]
     pub fn earned(&self) -> u32 {
-        if self.wrong.is_empty() { self.points } else { 0 }
+        let [right, of] = self.right;
+        if self.wrong.is_empty() { self.points } else { self.points * right as u32 / of as u32 }
     }
 }
 
@@ -218,7 +222,11 @@ impl AnswerKey {
             .map(|(question, asked)| Wrong { question, findings: findings(asked, answer(question)) })
             .filter(|wrong| !wrong.findings.is_empty())
             .collect();
-        Verdict { name: self.name, asks: self.asks, points: self.points, wrong, cause: None }
+        let alike = |asked: &Question| self.questions.iter().filter(|q| q.expected == asked.expected).count();
+        let more = self.questions.iter().map(alike).max().unwrap_or(1) - 1;
+        let of = self.questions.len();
+        let right = [(of - wrong.len()).saturating_sub(more), of - more];
+        Verdict { name: self.name, asks: self.asks, points: self.points, wrong, right, cause: None }
     }
 }
 

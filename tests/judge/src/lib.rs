@@ -18,6 +18,7 @@ pub mod marks;
 pub mod message;
 mod report;
 mod show;
+pub mod source;
 
 use std::path::Path;
 use std::process::ExitCode;

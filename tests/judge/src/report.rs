@@ -7,7 +7,7 @@ pub(crate) fn report(lesson: &str, keys: &[AnswerKey], verdicts: &[Verdict], all
     let width = verdicts.iter().map(|verdict| verdict.name.len()).max().unwrap_or(0);
     let mut lines = Vec::new();
     for (verdict, key) in verdicts.iter().zip(keys) {
-        let Verdict { name, asks, points, wrong, cause } = verdict;
+        let Verdict { name, asks, points, wrong, cause, .. } = verdict;
         let word = if wrong.is_empty() { "right" } else { "wrong" };
         lines.push(format!("{word}  {name:width$}  {}/{points}  {asks}", verdict.earned()));
         let Some(first) = wrong.first() else { continue };

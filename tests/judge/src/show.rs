@@ -1,7 +1,7 @@
 //! Tells a student what is right and what is not.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 use std::{fs, io};
 
@@ -12,10 +12,10 @@ use common::terminal::{eprintln, print};
 use common::{Color, Format, IVec2, Image, preview};
 use tasks::{Answer, COURSE, Raw, SEED, Shape};
 
-use super::ask::ask;
+use super::ask::{ask, tell_seed};
 use super::enlarge::{self, enlarged, shape_at};
 use super::report::{points, report, said};
-use super::{AnswerKey, Finding, Judge, Question, Verdict, marks};
+use super::{AnswerKey, Finding, Judge, Question, Verdict, marks, source};
 
 /// What a student's program answers to the questions of one check, or of all.
 fn answers(program: &Path, keys: &[AnswerKey], check: Option<&str>) -> anyhow::Result<Vec<Answer>> {
@@ -24,8 +24,10 @@ fn answers(program: &Path, keys: &[AnswerKey], check: Option<&str>) -> anyhow::R
     let questions: Vec<usize> = keys.iter().map(|key| key.questions.len()).collect();
     let start = |file: &Path, from: usize| {
         let mut child = Command::new(program);
-        child.arg("--answer").arg(file).args([from.to_string(), SEED.to_string()]).args(check);
-        child.spawn().with_context(|| format!("cannot start {}", program.display()))
+        child.arg("--answer").arg(file).arg(from.to_string()).args(check).stdin(Stdio::piped());
+        let mut child = child.spawn().with_context(|| format!("cannot start {}", program.display()))?;
+        tell_seed(&mut child, SEED)?;
+        Ok(child)
     };
     let begun = Instant::now();
     let answered = ask(&questions, &folder, start, |_| Ok(begun.elapsed()));
@@ -52,7 +54,7 @@ impl<F> Judge<F> {
                 names.collect::<Vec<_>>().join(", ")
             );
         }
-        let source = self.source();
+        let source = self.source()?;
         let answers = answers(program, &keys, check)?;
         let verdicts = self.judge(SEED, &keys, &answers);
         if check.is_none() {
@@ -106,9 +108,15 @@ impl<F> Judge<F> {
     }
 
     /// What the student wrote. It is read before the program is asked: whoever saves while it answers gets the mark of
-    /// what was there.
-    fn source(&self) -> io::Result<String> {
-        fs::read_to_string(marks::source(Path::new(COURSE), self.mission.lesson))
+    /// what was there. What the grader would not grade is not judged here, either.
+    fn source(&self) -> anyhow::Result<io::Result<String>> {
+        let file = marks::source(Path::new(COURSE), self.mission.lesson);
+        let text = fs::read_to_string(&file);
+        if let Some(why) = text.as_ref().ok().and_then(|text| source::refused(text)) {
+            let file = Path::new("lessons").join(self.mission.lesson).join("mission/src/lib.rs");
+            bail!("{}: {why}", file.display());
+        }
+        Ok(text)
     }
 
     /// Keeps the mark of a run of all checks. Where that cannot be, the verdicts are still worth telling.
@@ -164,7 +172,7 @@ impl<F> Judge<F> {
             return print(&list).map(|()| ExitCode::SUCCESS);
         }
         let mut keys = self.key(SEED);
-        let source = self.source();
+        let source = self.source()?;
         let answers = answers(program, &keys, None)?;
         let mut verdicts = self.judge(SEED, &keys, &answers);
         self.keep(&verdicts, source);

@@ -234,6 +234,11 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Lines { line: |_, _, _, _| () });
+    }
+
     /// Other seeds make other inputs, so that a picture learnt by heart earns the picture's points at most.
     #[test]
     fn inputs_come_from_the_seed() {
@@ -292,7 +297,7 @@ mod tests {
                     image.set(middle.x - x, middle.y - y, color);
                 });
             },
-            "backward",
+            "halves",
             "half-way",
         );
     }

@@ -327,6 +327,11 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Wireframe { wireframe: |_, _, _| (), to_pixel: |_, _| IVec2::ZERO });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let check = |to_pixel, check, words| {
             let functions = Wireframe { wireframe: wireframe::wireframe, to_pixel };

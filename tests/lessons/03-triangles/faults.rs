@@ -464,6 +464,11 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Triangles { fill: |_, _, _| (), flat_intensity: |_, _| 0.0 });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let reference = JUDGE.reference;
         let check = |fill, check, words| {

@@ -1,8 +1,6 @@
 //! All of mission 3.
 use common::{Bounds, Vec2, Vec3};
 
-pub use triangles::to_screen;
-
 /// A point, in f64: what follows is exact for corners in 1/256 px.
 type Point = [f64; 2];
 

@@ -2,8 +2,9 @@
 
 use common::{Image, Vec3};
 use judge::Fault;
-use zbuffer::{DepthBuffer, Surface, depth_at};
+use zbuffer::depth_at;
 use zbuffer_tasks::Zbuffer;
+use zbuffer_tasks::given::{DepthBuffer, Surface};
 
 use crate::RIGHT;
 
@@ -25,7 +26,7 @@ pub(crate) const FAULTS: &[Fault<Zbuffer>] = &[
         hint: None,
         versions: &[
             Zbuffer {
-                fill_nearest: |c, depths, _, visit| zbuffer::fill_nearest(c, depths, |depth| depth, visit),
+                fill_nearest: |c, depths, _, visit| (RIGHT.fill_nearest)(c, depths, |depth| depth, visit),
                 ..RIGHT
             },
             Zbuffer {
@@ -105,7 +106,7 @@ pub(crate) const FAULTS: &[Fault<Zbuffer>] = &[
         hint: None,
         versions: &[Zbuffer {
             fill_nearest: |c, depths, store, visit| {
-                zbuffer::fill_nearest(c.map(|corner| Vec3 { z: -corner.z, ..corner }), depths, store, visit);
+                (RIGHT.fill_nearest)(c.map(|corner| Vec3 { z: -corner.z, ..corner }), depths, store, visit);
             },
             ..RIGHT
         }],
@@ -195,7 +196,7 @@ pub(crate) const FAULTS: &[Fault<Zbuffer>] = &[
         versions: &[Zbuffer {
             z_f32: |surfaces, image| {
                 let empty = DepthBuffer::new(image, f32::NEG_INFINITY);
-                surfaces.iter().fold(empty, |_, &surface| zbuffer::z_f32(&[surface], image))
+                surfaces.iter().fold(empty, |_, &surface| nearest(&[surface], image, nearer))
             },
             ..RIGHT
         }],
@@ -216,13 +217,23 @@ fn each(corners: [Vec3; 3], depths: Depths, mut pixel: impl FnMut(Depths, i32, i
 }
 
 fn level(corners: [Vec3; 3], depths: Depths, store: fn(f32) -> f32, visit: Visit, z: f32) {
-    zbuffer::fill_nearest(corners.map(|corner| Vec3 { z, ..corner }), depths, store, visit);
+    (RIGHT.fill_nearest)(corners.map(|corner| Vec3 { z, ..corner }), depths, store, visit);
 }
 
 fn turned(corners: [Vec3; 3], depths: Depths, store: fn(f32) -> f32, visit: Visit, order: [usize; 3]) {
     let z = order.map(|n| corners[n].z);
     let other = [0, 1, 2].map(|n| Vec3 { z: z[n], ..corners[n] });
-    zbuffer::fill_nearest(other, depths, store, visit);
+    (RIGHT.fill_nearest)(other, depths, store, visit);
+}
+
+/// As it should be. The lesson's own would be on another buffer, and all of it copied for each triangle.
+fn nearer(corners: [Vec3; 3], depths: Depths, store: fn(f32) -> f32, visit: Visit) {
+    each(corners, depths, |depths, x, y, weights, depth| {
+        if store(depth) > depths.get(x, y) {
+            depths.set(x, y, store(depth));
+            visit(x, y, weights);
+        }
+    });
 }
 
 fn not_farther(corners: [Vec3; 3], depths: Depths, store: fn(f32) -> f32, visit: Visit) {
@@ -235,24 +246,17 @@ fn not_farther(corners: [Vec3; 3], depths: Depths, store: fn(f32) -> f32, visit:
 }
 
 fn nearest(surfaces: &[Surface], image: &mut Image, fill: Fill) -> DepthBuffer<f32> {
-    let mut depths = DepthBuffer::new(image, f32::NEG_INFINITY);
-    for surface in surfaces {
-        fill(surface.corners, &mut depths, |depth| depth, &mut |x, y, _| image.set(x, y, surface.color));
-    }
-    depths
+    drawn(surfaces, image, fill, f32::NEG_INFINITY)
 }
 
 fn starting_at(surfaces: &[Surface], image: &mut Image, nothing: f32) -> DepthBuffer<f32> {
+    drawn(surfaces, image, nearer, nothing)
+}
+
+fn drawn(surfaces: &[Surface], image: &mut Image, fill: Fill, nothing: f32) -> DepthBuffer<f32> {
     let mut depths = DepthBuffer::new(image, nothing);
     for surface in surfaces {
-        zbuffer::fill_nearest(
-            surface.corners,
-            &mut depths,
-            |depth| depth,
-            |x, y, _| {
-                image.set(x, y, surface.color);
-            },
-        );
+        fill(surface.corners, &mut depths, |depth| depth, &mut |x, y, _| image.set(x, y, surface.color));
     }
     depths
 }
@@ -268,6 +272,14 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Zbuffer {
+            fill_nearest: |_, _, _, _| (),
+            z_f32: |_, image| DepthBuffer::new(image, f32::NEG_INFINITY),
+        });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let reference = JUDGE.reference;
         let check = |fill_nearest, check, words| {
@@ -276,14 +288,14 @@ mod tests {
         };
         check(
             |corners, depths, store, visit| {
-                zbuffer::fill_nearest(corners.map(|c| Vec3 { z: -c.z, ..c }), depths, store, visit);
+                (RIGHT.fill_nearest)(corners.map(|c| Vec3 { z: -c.z, ..c }), depths, store, visit);
             },
             "pairs",
             "wrong sign of depth",
         );
         check(
             |corners, depths, store, visit| {
-                zbuffer::fill_nearest(corners.map(|c| Vec3 { z: -c.z, ..c }), depths, store, visit);
+                (RIGHT.fill_nearest)(corners.map(|c| Vec3 { z: -c.z, ..c }), depths, store, visit);
             },
             "depths",
             "wrong sign of depth",
@@ -311,7 +323,7 @@ mod tests {
         let equal = Zbuffer {
             z_f32: |surfaces, image| {
                 let reversed: Vec<_> = surfaces.iter().rev().copied().collect();
-                zbuffer::z_f32(&reversed, image)
+                (RIGHT.z_f32)(&reversed, image)
             },
             ..reference
         };

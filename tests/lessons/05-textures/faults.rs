@@ -406,6 +406,15 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Textures {
+            texel: |_, _| Color::BLACK,
+            interpolate: |_, _| Vec2::ZERO,
+            draw_textured: |_, _, image, _| DepthBuffer::new(image, f32::NEG_INFINITY),
+        });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let reference = JUDGE.reference;
         let check = |texel, check, words| {

@@ -1,8 +1,8 @@
 //! Wrong versions of mission 6, by which the judge knows what was done.
 
 use common::{Color, Image, Vec3};
-use gouraud::{Drawn, Scene};
-use gouraud_tasks::{Draw, Gouraud};
+use gouraud_tasks::given::Scene;
+use gouraud_tasks::{Draw, Drawn, Gouraud};
 use judge::Fault;
 use textures::{interpolate, texel};
 use zbuffer::{DepthBuffer, fill_nearest};
@@ -17,7 +17,7 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
         versions: &[
             Gouraud { intensities: |normals, light| gouraud::intensities(normals, -light), ..RIGHT },
             with_draw(|scene, image, place| {
-                gouraud::gouraud(&Scene { light: -scene.light, ..*scene }, image, place)
+                (RIGHT.gouraud)(&Scene { light: -scene.light, ..*scene }, image, place)
             }),
         ],
     },
@@ -77,7 +77,7 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
         versions: &[with_draw(|scene, image, place| {
             let mut white = Image::new(1, 1, common::Format::Rgb);
             white.set(0, 0, Color::WHITE);
-            gouraud::gouraud(&Scene { texture: &white, ..*scene }, image, place)
+            (RIGHT.gouraud)(&Scene { texture: &white, ..*scene }, image, place)
         })],
     },
     Fault {
@@ -86,7 +86,7 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
         hint: Some(2),
         versions: &[
             with_draw(|scene, image, place| {
-                gouraud::gouraud(scene, image, |p| Some(place(p).unwrap_or_default()))
+                (RIGHT.gouraud)(scene, image, &|p| Some(place(p).unwrap_or_default()))
             }),
             with_draw(|scene, image, place| {
                 let mut over = false;
@@ -96,7 +96,7 @@ pub(crate) const FAULTS: &[Fault<Gouraud>] = &[
                     !over
                 })
             }),
-            with_draw(|scene, image, place| Drawn { left_out: 0, ..gouraud::gouraud(scene, image, place) }),
+            with_draw(|scene, image, place| Drawn { left_out: 0, ..(RIGHT.gouraud)(scene, image, place) }),
             with_draw(|scene, image, place| {
                 drawn(scene, image, place, Vec3::dot, |corners, left_out| {
                     *left_out += corners.iter().filter(|corner| corner.is_none()).count();
@@ -214,6 +214,14 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Gouraud {
+            intensities: |_, _| Vec3::ZERO,
+            gouraud: |_, image, _| Drawn { depths: DepthBuffer::new(image, f32::NEG_INFINITY), left_out: 0 },
+        });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let reference = JUDGE.reference;
         let check = |intensities, check, words| {
@@ -233,7 +241,7 @@ mod tests {
         );
         let behind = Gouraud {
             gouraud: |scene, image, place| {
-                gouraud::gouraud(&Scene { light: -scene.light, ..*scene }, image, place)
+                (RIGHT.gouraud)(&Scene { light: -scene.light, ..*scene }, image, place)
             },
             ..reference
         };

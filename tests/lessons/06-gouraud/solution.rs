@@ -3,7 +3,7 @@ use common::{Image, Vec3};
 use textures::{interpolate, texel};
 use zbuffer::{DepthBuffer, fill_nearest};
 
-pub use gouraud::{Drawn, Scene, corner_normals};
+pub use gouraud_given::{Drawn, Scene, corner_normals};
 
 /// The cosine at each corner.
 pub fn intensities(normals: [Vec3; 3], light: Vec3) -> Vec3 {
@@ -11,7 +11,7 @@ pub fn intensities(normals: [Vec3; 3], light: Vec3) -> Vec3 {
 }
 
 /// Interpolated, then clamped.
-pub fn gouraud(scene: &Scene, image: &mut Image, place: impl Fn(Vec3) -> Option<Vec3>) -> Drawn {
+pub fn gouraud(scene: &Scene, image: &mut Image, place: impl Fn(Vec3) -> Option<Vec3>) -> Drawn<DepthBuffer<f32>> {
     let mut drawn = Drawn { depths: DepthBuffer::new(image, f32::NEG_INFINITY), left_out: 0 };
     for (n, (corners, uvs)) in scene.model.faces().zip(scene.model.face_uvs()).enumerate() {
         let [Some(a), Some(b), Some(c)] = corners.map(&place) else {

@@ -261,6 +261,15 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Transforms {
+            viewport: |_, _, _| Mat4::IDENTITY,
+            projection: |_| Mat4::IDENTITY,
+            place: |_, _| None,
+        });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let reference = JUDGE.reference;
         let viewport = |viewport, words| {

@@ -195,6 +195,11 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Camera { basis: |_, _, _| None, lookat: |_, _, _| None });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
         let reference = JUDGE.reference;
         let lookat = |lookat, words| {

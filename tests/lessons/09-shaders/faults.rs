@@ -2,10 +2,8 @@
 
 use common::{Color, Vec2};
 use judge::Fault;
-use shaders::lighting::{Gouraud, Lighting, Quantized};
-use shaders::source::{Source, Texture, White};
-use shaders::{Uniforms, draw};
 use shaders_tasks::Shaders;
+use shaders_tasks::given::{Lighting, Source, Uniforms, White, draw};
 use textures::texel;
 
 use crate::RIGHT;
@@ -17,7 +15,7 @@ macro_rules! gouraud {
     ($corner:expr, $pixel:expr) => {
         Shaders {
             gouraud: |uniforms, target| draw(uniforms, White, Bright($corner, $pixel), target),
-            gouraud_texture: |uniforms, target| draw(uniforms, Texture, Bright($corner, $pixel), target),
+            gouraud_texture: |uniforms, target| draw(uniforms, TEXTURE, Bright($corner, $pixel), target),
             ..RIGHT
         }
     };
@@ -28,7 +26,7 @@ macro_rules! quantized {
     ($corner:expr, $pixel:expr) => {
         Shaders {
             quantized: |uniforms, target| draw(uniforms, White, Bright($corner, $pixel), target),
-            quantized_texture: |uniforms, target| draw(uniforms, Texture, Bright($corner, $pixel), target),
+            quantized_texture: |uniforms, target| draw(uniforms, TEXTURE, Bright($corner, $pixel), target),
             ..RIGHT
         }
     };
@@ -38,8 +36,8 @@ macro_rules! quantized {
 macro_rules! texture {
     ($corner:expr, $pixel:expr) => {
         Shaders {
-            gouraud_texture: |uniforms, target| draw(uniforms, Colored($corner, $pixel), Gouraud, target),
-            quantized_texture: |uniforms, target| draw(uniforms, Colored($corner, $pixel), Quantized, target),
+            gouraud_texture: |uniforms, target| draw(uniforms, Colored($corner, $pixel), GOURAUD, target),
+            quantized_texture: |uniforms, target| draw(uniforms, Colored($corner, $pixel), QUANTIZED, target),
             ..RIGHT
         }
     };
@@ -223,6 +221,11 @@ fn look_up(uniforms: &Uniforms, uv: Vec2) -> Color {
     uniforms.texture.map_or(Color::BLACK, |texture| texel(texture, uv))
 }
 
+/// The parts as they should be.
+const GOURAUD: Bright = Bright(CORNER, |_, i| i);
+const QUANTIZED: Bright = Bright(CORNER, cut);
+const TEXTURE: Colored = Colored(UV, look_up);
+
 /// A brightness at a corner, and of the levels and what was interpolated of it that at a pixel. It leaves no triangle
 /// out, as a student's.
 struct Bright(fn(&Uniforms, usize, usize) -> f32, fn(f32, f32) -> f32);
@@ -270,34 +273,20 @@ mod tests {
     }
 
     #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Shaders {
+            gouraud: |_, _| (),
+            gouraud_texture: |_, _| (),
+            quantized: |_, _| (),
+            quantized_texture: |_, _| (),
+        });
+    }
+
+    #[test]
     fn each_fault_is_recognised() {
-        /// Gouraud's lighting with a faulty brightness at the pixel. It leaves no triangle out, as a student's.
-        struct Faulty(fn(f32) -> f32);
-
-        impl Lighting for Faulty {
-            type Constant = ();
-            type Varying = f32;
-            fn triangle(&self, _: &Uniforms, _: usize) -> Option<()> {
-                Some(())
-            }
-            fn corner(&self, uniforms: &Uniforms, face: usize, corner: usize) -> f32 {
-                Gouraud.corner(uniforms, face, corner)
-            }
-            fn intensity(&self, (): (), varying: f32) -> f32 {
-                (self.0)(varying)
-            }
-        }
-
         let reference = JUDGE.reference;
-        let gouraud = |gouraud, check, words| {
-            JUDGE.recognises(&Shaders { gouraud, ..reference }, check, words);
-        };
-        gouraud(|uniforms, target| draw(uniforms, White, Faulty(|i| -i), target), "gouraud", "behind");
-        gouraud(
-            |uniforms, target| draw(uniforms, White, Faulty(|i| i.max(0.0)), target),
-            "dropped",
-            "drawn black",
-        );
+        JUDGE.recognises(&gouraud!(CORNER, |_, i| -i), "gouraud", "behind");
+        JUDGE.recognises(&gouraud!(CORNER, |_, i| i.max(0.0)), "dropped", "drawn black");
         let rounded = quantized!(CORNER, |n, i| (n * i.clamp(-1.0, 1.0) + 0.5).floor() / n);
         JUDGE.recognises(&rounded, "steps", "rounded to the nearest step");
         let smooth = Shaders {
@@ -308,11 +297,11 @@ mod tests {
         JUDGE.recognises(&smooth, "steps", "there are no steps");
         let upside_down = Shaders {
             gouraud_texture: |uniforms, target| {
-                let Some(texture) = uniforms.texture else { return draw(uniforms, Texture, Gouraud, target) };
+                let Some(texture) = uniforms.texture else { return draw(uniforms, TEXTURE, GOURAUD, target) };
                 let mut texture = texture.clone();
                 texture.flip_vertically();
                 // In the check the square is as bright above as below.
-                draw(&Uniforms { texture: Some(&texture), ..*uniforms }, Texture, Gouraud, target)
+                draw(&Uniforms { texture: Some(&texture), ..*uniforms }, TEXTURE, GOURAUD, target)
             },
             ..reference
         };

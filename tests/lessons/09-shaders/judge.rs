@@ -5,10 +5,11 @@ mod faults;
 use std::process::ExitCode;
 
 use judge::Judge;
-use shaders::draw;
-use shaders::lighting::{Gouraud, Quantized};
-use shaders::source::{Texture, White};
+use shaders::lighting::{Gouraud, Lighting, Quantized};
+use shaders::source::{Source, Texture, White};
+use shaders_tasks::given::{Framebuffer, Uniforms};
 use shaders_tasks::{MISSION, Shaders};
+use textures::Wrap;
 
 const JUDGE: Judge<Shaders> = Judge { mission: MISSION, reference: RIGHT, faults: faults::FAULTS };
 
@@ -19,6 +20,14 @@ const RIGHT: Shaders = Shaders {
     quantized: |uniforms, target| draw(uniforms, White, Quantized, target),
     quantized_texture: |uniforms, target| draw(uniforms, Texture, Quantized, target),
 };
+
+fn draw(uniforms: &Uniforms, source: impl Source, lighting: impl Lighting, target: &mut Framebuffer) {
+    let &Uniforms { model, normals, texture, light, to_clip, levels } = uniforms;
+    let uniforms = shaders::Uniforms { model, normals, texture, wrap: Wrap::Clamp, light, to_clip, levels };
+    let mut own = shaders::Framebuffer { image: target.image.clone(), depths: target.depths.clone() };
+    shaders::draw(&uniforms, source, lighting, &mut own);
+    *target = Framebuffer { image: own.image, depths: own.depths };
+}
 
 fn main() -> ExitCode {
     JUDGE.run()

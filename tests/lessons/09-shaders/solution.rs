@@ -2,7 +2,7 @@
 use common::{Color, Vec2};
 
 // Given: the traits, what is drawn, and all other parts of a look.
-pub use shaders::{Uniforms, lighting::Lighting, source::Source};
+pub use shaders_given::{Lighting, Source, Uniforms};
 
 /// The brightness at the corners, interpolated.
 pub struct Gouraud;

@@ -252,6 +252,14 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Perspective {
+            frustum: |_, _, _, _, _, _| None,
+            perspective_weights: |weights, _| weights,
+        });
+    }
+
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {

@@ -331,6 +331,11 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Clipping { facing: |_| 0.0, clip: |_, _| Vec::new() });
+    }
+
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {

@@ -367,6 +367,11 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Lighting { blinn_phong: |_, _, _, _| Reflected { body: 0.0, highlight: 0.0 } });
+    }
+
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {

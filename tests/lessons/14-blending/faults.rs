@@ -341,6 +341,11 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Blending { over: |_, below| below, test: |_, _, _, kept| (false, kept) });
+    }
+
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {

@@ -549,6 +549,14 @@ mod tests {
         JUDGE.check();
     }
 
+    #[test]
+    fn to_do_nothing_earns_nothing() {
+        JUDGE.earns_nothing(&Scene {
+            sphere: |_, _| Shape { vertices: Vec::new(), triangles: Vec::new() },
+            orbit: |_, _, _| Mat4::IDENTITY,
+        });
+    }
+
     /// Versions that are not those of the table, for what they share with one of them.
     #[test]
     fn each_fault_is_recognised() {

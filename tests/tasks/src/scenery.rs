@@ -10,8 +10,18 @@ use fastrand::Rng;
 /// Sides of the pictures of models.
 pub const SIDE: u16 = 400;
 
-/// The light of those pictures: from the right, above, in front.
+/// The light of those pictures that say nothing of another: from the right, above, in front.
 pub const LIGHT: Vec3 = Vec3::new(0.48, 0.6, 0.64);
+
+/// A light within 40° of that one: whoever knows the picture under one of them knows none of the others.
+pub fn light(rng: &mut Rng) -> Vec3 {
+    (LIGHT + 0.4 * point(rng)).normalize()
+}
+
+/// The size of a picture of a model that is wider than high: another one for each seed.
+pub fn wide(rng: &mut Rng) -> [u16; 2] {
+    [SIDE - rng.u16(0..60), 300 - rng.u16(0..60)]
+}
 
 /// The course's model.
 pub static MODEL: LazyLock<Model> = LazyLock::new(|| {

@@ -30,8 +30,8 @@ impl<F> Mission<F> {
         let arguments: Vec<String> = std::env::args().skip(1).collect();
         let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let result = match words.as_slice() {
-            ["--answer", file, from, seed] => self.answer(student, file, from, seed, None),
-            ["--answer", file, from, seed, check] => self.answer(student, file, from, seed, Some(check)),
+            ["--answer", file, from] => self.answer(student, file, from, None),
+            ["--answer", file, from, check] => self.answer(student, file, from, Some(check)),
             ["--watched", folder, words @ ..] => std::env::set_current_dir(folder)
                 .map_err(Into::into)
                 .and_then(|()| self.judge("show", words))
@@ -57,17 +57,11 @@ impl<F> Mission<F> {
     }
 
     /// Does the tasks, or those of one check, from the number `from` on and appends their answers to a file, a line
-    /// each.
-    fn answer(
-        &self,
-        student: &F,
-        file: &str,
-        from: &str,
-        seed: &str,
-        check: Option<&str>,
-    ) -> anyhow::Result<ExitCode> {
+    /// each. The seed comes on the standard input: arguments can be read again by what the student wrote.
+    fn answer(&self, student: &F, file: &str, from: &str, check: Option<&str>) -> anyhow::Result<ExitCode> {
         let mut file = std::fs::OpenOptions::new().append(true).open(file)?;
-        let rows = self.checks.iter().zip(self.tasks(seed.parse()?));
+        let seed = std::io::read_to_string(std::io::stdin())?;
+        let rows = self.checks.iter().zip(self.tasks(seed.trim().parse()?));
         let asked = rows.filter(|(own, _)| check.is_none_or(|check| own.name == check));
         for task in asked.flat_map(|(_, tasks)| tasks).skip(from.parse()?) {
             file.write_all(format!("{}\n", attempt(&task, student)).as_bytes())?;

@@ -14,9 +14,6 @@
 
 use common::{Bounds, Vec2, Vec3};
 
-// Given: from the model to pixels.
-pub use triangles::to_screen;
-
 /// Calls `visit(x, y, weights)` once for each pixel in `bounds` that the triangle covers.
 ///
 /// Corners are in pixels and come in any order. A pixel is covered when its centre (x + ½, y + ½) is inside.

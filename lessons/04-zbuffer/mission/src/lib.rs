@@ -16,7 +16,7 @@
 use common::{Image, Vec3};
 
 // Given: the buffer, a triangle with its colour, and from the model to pixels and depth.
-pub use zbuffer::{DepthBuffer, Surface, to_screen};
+pub use zbuffer_given::{DepthBuffer, Surface, to_screen};
 
 /// Calls `visit(x, y, weights)` for each pixel of a triangle that is nearer than what was drawn there, and
 /// keeps its depth in the buffer.

@@ -14,8 +14,8 @@
 
 use common::{Mat4, Vec3};
 
-// Given: moving, stretching, and what a matrix does to normals.
-pub use transforms::{normal_matrix, scale, translate};
+// Given: moving and stretching.
+pub use transforms_given::{scale, translate};
 
 /// Stretches [−1, 1]² over a picture of that size in pixels: the middle goes to the middle, and a length of 1
 /// becomes `zoom` times the side. Depth stays.

@@ -3,8 +3,7 @@
 use std::process::ExitCode;
 
 use my_shaders::{Gouraud, Quantized, Texture};
-use shaders::draw;
-use shaders::source::White;
+use shaders_tasks::given::{White, draw};
 use shaders_tasks::{MISSION, Shaders};
 
 fn main() -> ExitCode {

@@ -14,7 +14,6 @@ use crate::results::{Class, Lesson, Look, total};
 #[derive(Template)]
 #[template(path = "report.html")]
 struct Page<'a> {
-    seed: u64,
     lessons: &'a [Lesson],
     walls: &'a [Wall],
     /// Whose, of which lessons, and what a person has to look at.
@@ -74,7 +73,6 @@ pub(super) fn page(class: &Class) -> anyhow::Result<String> {
         several.map(|((lesson, _), students)| (class.lessons[lesson].name.as_str(), students)).collect();
     let totals = numbers::totals(class);
     let page = Page {
-        seed: class.seed,
         lessons: &class.lessons,
         walls: &class.walls,
         looks: class.looks(),

@@ -21,13 +21,9 @@ const CALCULATION: &[i64] = &[
     libc::SYS_clock_nanosleep,
     libc::SYS_close,
     libc::SYS_dup,
-    // The launcher itself is to become the program.
-    libc::SYS_execve,
     libc::SYS_exit,
     libc::SYS_exit_group,
-    libc::SYS_faccessat,
     libc::SYS_fstat,
-    libc::SYS_getcwd,
     libc::SYS_getpid,
     libc::SYS_getrandom,
     libc::SYS_gettid,
@@ -38,7 +34,6 @@ const CALCULATION: &[i64] = &[
     libc::SYS_mremap,
     libc::SYS_munmap,
     libc::SYS_nanosleep,
-    libc::SYS_newfstatat,
     libc::SYS_openat,
     libc::SYS_pread64,
     libc::SYS_read,
@@ -53,7 +48,6 @@ const CALCULATION: &[i64] = &[
     libc::SYS_set_robust_list,
     libc::SYS_set_tid_address,
     libc::SYS_sigaltstack,
-    libc::SYS_statx,
     libc::SYS_sysinfo,
     libc::SYS_uname,
     libc::SYS_write,
@@ -62,8 +56,7 @@ const CALCULATION: &[i64] = &[
 
 /// The same under the names that only this processor has.
 #[cfg(target_arch = "x86_64")]
-const CALCULATION_HERE: &[i64] =
-    &[libc::SYS_access, libc::SYS_arch_prctl, libc::SYS_open, libc::SYS_stat, libc::SYS_lstat];
+const CALCULATION_HERE: &[i64] = &[libc::SYS_arch_prctl, libc::SYS_open];
 /// Here what looks at descriptors when a program starts could also wait; how long stands in memory, where a filter
 /// cannot look.
 #[cfg(not(target_arch = "x86_64"))]
@@ -91,6 +84,9 @@ const NOT_FOR_COMPILERS: &[i64] = &[
 const FORK_HERE: &[i64] = &[libc::SYS_fork, libc::SYS_vfork];
 #[cfg(not(target_arch = "x86_64"))]
 const FORK_HERE: &[i64] = &[];
+
+/// The number under which the launcher has the program's file open. No program has such a high one.
+pub(super) const PROGRAM: i32 = 100;
 
 type Rules = BTreeMap<i64, Vec<SeccompRule>>;
 
@@ -132,6 +128,14 @@ fn calculation() -> anyhow::Result<Rules> {
     rules.insert(libc::SYS_poll, vec![only_if(2, SeccompCmpOp::Eq, 0)?]);
     // abort() signals the process itself; nothing signals another one.
     let own = u64::from(std::process::id());
+    // The launcher itself is to become the program, and no program another one.
+    let program = only_if(0, SeccompCmpOp::Eq, PROGRAM as u64)?;
+    rules.insert(libc::SYS_execveat, vec![program]);
+    // Of a file that is open. Of any other one, a submission would learn that it is there.
+    let of_open = SeccompCmpOp::MaskedEq(libc::AT_EMPTY_PATH as u64);
+    for (call, flags) in [(libc::SYS_newfstatat, 3), (libc::SYS_statx, 2)] {
+        rules.insert(call, vec![only_if(flags, of_open.clone(), libc::AT_EMPTY_PATH as u64)?]);
+    }
     rules.insert(libc::SYS_tgkill, vec![only_if(0, SeccompCmpOp::Eq, own)?]);
     rules.insert(libc::SYS_prlimit64, vec![only_if(2, SeccompCmpOp::Eq, 0)?]);
     Ok(rules)

@@ -19,12 +19,19 @@ pub const MISSION: Mission<Lines> = Mission {
     checks: &[
         Check {
             name: "picture",
-            asks: "the lesson's two lines",
+            asks: "the lesson's two lines, and two others",
             points: 2,
-            tasks: |_| {
+            tasks: |rng| {
                 let white = (IVec2::new(13, 20), IVec2::new(80, 40), Color::WHITE);
                 let red = (IVec2::new(20, 13), IVec2::new(40, 80), Color::RED);
-                vec![drawing(100, vec![white, red])]
+                // Of odd lengths, as in `some`.
+                let along = 2 * rng.i32(15..30) + 1;
+                let up = rng.i32(2..along - 1);
+                let a = IVec2::new(rng.i32(1..30), rng.i32(1..30));
+                let two = [IVec2::new(along, up), IVec2::new(up, along)];
+                let others = [(two[0], Color::WHITE), (two[1], Color::RED)];
+                let others = others.map(|(way, color)| (a, a + way, color));
+                vec![drawing(100, vec![white, red]), drawing(100, others.into())]
             },
             precision: Precision::EXACT,
         },
@@ -44,11 +51,24 @@ pub const MISSION: Mission<Lines> = Mission {
         },
         Check {
             name: "backward",
-            asks: "from the right or from above: the same pixels as from the other end, halves included",
-            points: 2,
+            asks: "from the right or from above: the same pixels as from the other end",
+            points: 1,
             tasks: |rng| {
-                let mut tasks = some(rng, false, |low, high| (high, low));
+                // One to the right: whoever draws nothing at all has no fault of direction.
+                let mut tasks = some(rng, false, |low, high| (low, high));
+                tasks.truncate(1);
+                tasks.extend(some(rng, false, |low, high| (high, low)));
                 tasks.extend(some(rng, true, |low, high| (high, low)));
+                tasks
+            },
+            precision: Precision::EXACT,
+        },
+        Check {
+            name: "halves",
+            asks: "half-way between two pixels it is the lower end's, from either end",
+            points: 1,
+            tasks: |rng| {
+                let mut tasks = Vec::new();
                 // Half-way, these are exactly between two pixels, of which the lower end's is right.
                 for end in [(10, 5), (10, -5), (5, 10), (-5, 10)] {
                     let a = IVec2::new(rng.i32(10..40), rng.i32(10..40));
@@ -63,8 +83,8 @@ pub const MISSION: Mission<Lines> = Mission {
             name: "straight",
             asks: "level, upright, diagonal, and a single pixel",
             points: 1,
-            tasks: |_| {
-                let a = IVec2::new(20, 30);
+            tasks: |rng| {
+                let a = IVec2::new(rng.i32(12..52), rng.i32(12..52));
                 let ends = [(0, 0), (9, 0), (-9, 0), (0, 9), (0, -9), (7, 7), (-7, 7), (7, -7), (-7, -7)];
                 ends.map(|end| drawing(64, vec![(a, a + IVec2::from(end), Color::WHITE)])).into()
             },

@@ -2,7 +2,7 @@
 
 use common::{Color, IVec2, Image, Model, Vec3};
 use fastrand::Rng;
-use tasks::scenery::{MODEL, MODEL_CODE, SIDE, canvas, signed};
+use tasks::scenery::{MODEL, MODEL_CODE, canvas, signed, wide};
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
 
 /// What the student writes.
@@ -19,9 +19,6 @@ pub const SIZE: IVec2 = IVec2::new(60, 40);
 
 /// The same of a very small one, both odd.
 const ODD: IVec2 = IVec2::new(7, 5);
-
-/// Height of the model's picture, which is wider.
-const LOW: u16 = 300;
 
 /// The mission.
 pub const MISSION: Mission<Wireframe> = Mission {
@@ -87,17 +84,19 @@ pub const MISSION: Mission<Wireframe> = Mission {
             name: "picture",
             asks: "the model",
             points: 2,
-            tasks: |_| {
+            tasks: |rng| {
+                let [width, height] = wide(rng);
                 let code = format!(
-                    "{MODEL_CODE}let mut got = Image::new({SIDE}, {LOW}, Format::Rgb);\n\
+                    "{MODEL_CODE}let mut got = Image::new({width}, {height}, Format::Rgb);\n\
                      wireframe(&model, &mut got, Color::WHITE);"
                 );
-                let task = Task::new("the model", code, |student: &Wireframe| {
-                    let mut image = canvas(SIDE, LOW);
+                let input = format!("the model, {width}x{height}");
+                let task = Task::new(input, code, move |student: &Wireframe| {
+                    let mut image = canvas(width, height);
                     (student.wireframe)(&MODEL, &mut image, Color::WHITE);
                     Raw::Picture(image)
                 });
-                vec![task.of(|functions| sides(functions, &MODEL, &canvas(SIDE, LOW)))]
+                vec![task.of(move |functions| sides(functions, &MODEL, &canvas(width, height)))]
             },
             // Points of the model may lie on a pixel's border, where the last bit decides.
             precision: Precision { tolerance: 0.0, ..Precision::MODEL },

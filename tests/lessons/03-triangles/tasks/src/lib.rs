@@ -2,7 +2,7 @@
 
 use common::{Bounds, Color, IVec2, Image, Vec2, Vec3};
 use fastrand::Rng;
-use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, canvas, direction, point};
+use tasks::scenery::{MODEL, MODEL_CODE, SIDE, canvas, direction, light, point};
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
 
 /// What the student writes.
@@ -79,12 +79,14 @@ pub const MISSION: Mission<Triangles> = Mission {
         },
         Check {
             name: "no area",
-            asks: "three corners on a line, or two at one place, cover nothing",
+            asks: "three corners on a line, or two at one place, cover nothing; a triangle beside them is seen",
             points: 1,
             tasks: |rng| {
                 let a = center(rng);
                 let flat = [a, a + Vec2::new(10.0, 5.0), a + Vec2::new(20.0, 10.0)];
-                [flat, [a, a, a + Vec2::new(9.0, 9.0)], [a; 3]].map(|corners| coverage(vec![corners])).into()
+                let beside = corners(rng);
+                let flat = [flat, [a, a, a + Vec2::new(9.0, 9.0)], [a; 3]];
+                flat.map(|flat| coverage(vec![beside, flat])).into()
             },
             precision: Precision::EXACT,
         },
@@ -113,7 +115,8 @@ pub const MISSION: Mission<Triangles> = Mission {
             name: "picture",
             asks: "the model, flat-shaded",
             points: 1,
-            tasks: |_| {
+            tasks: |rng| {
+                let light = light(rng);
                 let code = format!(
                     "{MODEL_CODE}let mut got = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
                      let (half, bounds) = (got.size() / 2.0, got.bounds());\n\
@@ -122,12 +125,12 @@ pub const MISSION: Mission<Triangles> = Mission {
                      let screen = corners.map(|corner| corner.truncate() * half + half);\n    \
                      if intensity >= 0.0 {{\n        \
                      fill(screen, bounds, |x, y, _| got.set(x, y, Color::gray(intensity)));\n    }}\n}}",
-                    LIGHT.code()
+                    light.code()
                 );
-                let task = Task::new("the model", code, |student: &Triangles| {
+                let task = Task::new("the model", code, move |student: &Triangles| {
                     let mut image = canvas(SIDE, SIDE);
                     for corners in MODEL.faces() {
-                        let intensity = (student.flat_intensity)(corners, LIGHT);
+                        let intensity = (student.flat_intensity)(corners, light);
                         if intensity >= 0.0 {
                             let half = image.size() / 2.0;
                             let screen = corners.map(|corner| corner.truncate() * half + half);
@@ -138,7 +141,7 @@ pub const MISSION: Mission<Triangles> = Mission {
                 });
                 let half = Vec2::splat(f32::from(SIDE) / 2.0);
                 vec![task.of(move |functions| {
-                    let lit = MODEL.faces().filter(|&c| (functions.flat_intensity)(c, LIGHT) >= 0.0);
+                    let lit = MODEL.faces().filter(|&c| (functions.flat_intensity)(c, light) >= 0.0);
                     lit.map(|c| c.map(|p| (p.truncate() * half + half).extend(p.z)).into()).collect()
                 })]
             },
@@ -214,7 +217,7 @@ fn name(triangles: &[[Vec2; 3]]) -> String {
         [[a, b, c]] => {
             format!("fill([({}, {}), ({}, {}), ({}, {})], …)", a.x, a.y, b.x, b.y, c.x, c.y)
         }
-        [_, _] => "two triangles, a square".into(),
+        [_, _] => "two triangles".into(),
         _ => format!("{} triangles around a point", triangles.len()),
     }
 }

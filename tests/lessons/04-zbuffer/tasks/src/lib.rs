@@ -1,10 +1,12 @@
 //! Mission 4: the nearest surface.
 
+pub use zbuffer_given as given;
+
 use common::{Color, Image, Vec3};
 use fastrand::Rng;
-use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, canvas};
+use given::{DepthBuffer, Surface, to_screen};
+use tasks::scenery::{MODEL, MODEL_CODE, SIDE, canvas, light};
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
-use zbuffer::{DepthBuffer, Surface};
 
 /// What the student writes.
 #[derive(Clone, Copy)]
@@ -71,7 +73,9 @@ pub const MISSION: Mission<Zbuffer> = Mission {
             points: 1,
             tasks: |rng| {
                 let z = rng.f32() - 0.5;
-                let corners = [(5.0, 5.0), (35.0, 8.0), (20.0, 35.0)].map(|(x, y)| Vec3::new(x, y, z));
+                let shift = rng.f32() * 4.0;
+                let corners = [(5.0, 5.0), (35.0, 8.0), (20.0, 35.0)];
+                let corners = corners.map(|(x, y)| Vec3::new(x, y + shift, z));
                 let both = [NEAR, FAR].map(|color| Surface { corners, color });
                 vec![drawing("one triangle twice, green, then red", both.into()), whole_depths(rng)]
             },
@@ -81,24 +85,26 @@ pub const MISSION: Mission<Zbuffer> = Mission {
             name: "picture",
             asks: "the model, in a shell of which the front half is missing",
             points: 2,
-            tasks: |_| {
+            tasks: |rng| {
                 let image = canvas(SIDE, SIDE);
-                let mut surfaces = zbuffer::surfaces(&MODEL, LIGHT, &image);
+                let (light, larger) = (light(rng), 1.2 + 0.2 * rng.f32());
+                let mut surfaces = given::surfaces(&MODEL, light, &image);
                 // The far side of a sphere around it: drawn last, and hidden where the model is.
                 surfaces.extend(MODEL.faces().filter(|corners| corners.iter().all(|p| p.z < 0.0)).map(
                     |corners| {
-                        let corners = corners.map(|corner| zbuffer::to_screen(corner * 1.3, image.size()));
+                        let corners = corners.map(|corner| to_screen(corner * larger, image.size()));
                         Surface { corners, color: Color::rgb(40, 60, 110) }
                     },
                 ));
                 let code = format!(
                     "{MODEL_CODE}let mut got = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
-                     let mut surfaces = zbuffer::surfaces(&model, {}, &got);\n\
+                     let mut surfaces = zbuffer_given::surfaces(&model, {}, &got);\n\
                      let back = model.faces().filter(|corners| corners.iter().all(|p| p.z < 0.0));\n\
                      surfaces.extend(back.map(|corners| Surface {{\n    \
-                     corners: corners.map(|corner| to_screen(corner * 1.3, got.size())),\n    \
+                     corners: corners.map(|corner| to_screen(corner * {}, got.size())),\n    \
                      color: Color::rgb(40, 60, 110),\n}}));\nz_f32(&surfaces, &mut got);",
-                    LIGHT.code()
+                    light.code(),
+                    larger.code()
                 );
                 let shapes = shapes(&surfaces);
                 let task = Task::new("the model", code, move |student: &Zbuffer| {
@@ -130,11 +136,12 @@ fn pairs(rng: &mut Rng) -> Task<Zbuffer> {
     let (near, far) = (0.2 + 0.6 * rng.f32(), -0.9 + 0.6 * rng.f32());
     let between = ((near + far) / 2.0, Color::WHITE);
     let (near, far) = ((near, NEAR), (far, FAR));
+    let up = 4.0 * rng.f32();
     let mut surfaces = Vec::new();
     for (shift, drawn) in [(0.0, [near, far, between]), (40.0, [far, near, between])] {
         surfaces.extend(drawn.map(|(z, color)| {
             let corners = [(4.25, 4.75), (36.25, 7.75), (19.25, 35.75)];
-            Surface { corners: corners.map(|(x, y)| Vec3::new(x + shift, y, z)), color }
+            Surface { corners: corners.map(|(x, y)| Vec3::new(x + shift, y + up, z)), color }
         }));
     }
     filled("two pairs", WIDE, surfaces, ("|depth| depth", |depth| depth))

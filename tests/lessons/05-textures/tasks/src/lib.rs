@@ -1,8 +1,8 @@
 //! Mission 5: colour from a picture.
 
-use common::{Color, Image, Model, Vec2, Vec3};
+use common::{Bounds, Color, Image, Model, Vec2, Vec3};
 use fastrand::Rng;
-use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, signed};
+use tasks::scenery::{MODEL, MODEL_CODE, TEXTURE, TEXTURE_CODE, canvas, light, signed, wide};
 use tasks::{Check, Code, Mission, Precision, Raw, Task};
 use zbuffer::DepthBuffer;
 
@@ -20,11 +20,16 @@ pub struct Textures {
 /// A model, the light, a picture, and the colour at (u, v).
 pub type Draw = fn(&Model, Vec3, &mut Image, &dyn Fn(Vec2) -> Color) -> DepthBuffer<f32>;
 
+/// The depths of a drawing, whatever they were kept in: that depends on whose lesson 4 a student builds on.
+pub fn kept(bounds: Bounds, depth: impl Fn(i32, i32) -> f32) -> DepthBuffer<f32> {
+    let image = canvas((bounds.max.x + 1) as u16, (bounds.max.y + 1) as u16);
+    let mut depths = DepthBuffer::new(&image, f32::NEG_INFINITY);
+    image.pixels().for_each(|(x, y, _)| depths.set(x, y, depth(x, y)));
+    depths
+}
+
 /// Width and height of the small texture.
 const TEXELS: [u16; 2] = [16, 12];
-
-/// Height of the model's pictures, which are wider.
-const LOW: u16 = 300;
 
 /// The mission.
 pub const MISSION: Mission<Textures> = Mission {
@@ -81,11 +86,11 @@ pub const MISSION: Mission<Textures> = Mission {
             name: "coordinates",
             asks: "the model with u in red and v in green, flat-shaded",
             points: 1,
-            tasks: |_| {
+            tasks: |rng| {
                 let code = "|uv| Color::rgb((uv.x * 255.0) as u8, (uv.y * 255.0) as u8, 64)";
                 let color =
                     |_: &Textures, uv: Vec2| Color::rgb((uv.x * 255.0) as u8, (uv.y * 255.0) as u8, 64);
-                vec![model(code, color, |image, _| Raw::Picture(image))]
+                vec![model(rng, code, color, |image, _| Raw::Picture(image))]
             },
             precision: Precision::MODEL,
         },
@@ -93,10 +98,10 @@ pub const MISSION: Mission<Textures> = Mission {
             name: "depths",
             asks: "the depths that the drawing leaves behind",
             points: 1,
-            tasks: |_| {
+            tasks: |rng| {
                 let depths =
                     |_, depths: &DepthBuffer<f32>| Raw::depths(depths.bounds(), |x, y| depths.get(x, y));
-                vec![model("|_| Color::WHITE", |_, _| Color::WHITE, depths)]
+                vec![model(rng, "|_| Color::WHITE", |_, _| Color::WHITE, depths)]
             },
             precision: Precision { tolerance: 1e-3, ..Precision::MODEL },
         },
@@ -104,9 +109,9 @@ pub const MISSION: Mission<Textures> = Mission {
             name: "picture",
             asks: "the model with a texture, flat-shaded",
             points: 2,
-            tasks: |_| {
+            tasks: |rng| {
                 let color = |student: &Textures, uv| (student.texel)(&TEXTURE, uv);
-                vec![model("|uv| texel(&texture, uv)", color, |image, _| Raw::Picture(image))]
+                vec![model(rng, "|uv| texel(&texture, uv)", color, |image, _| Raw::Picture(image))]
             },
             precision: Precision::MODEL,
         },
@@ -145,25 +150,28 @@ fn interpolated(uvs: [Vec2; 3], weights: Vec3) -> Task<Textures> {
 
 /// The model in colours that depend on (u, v).
 fn model(
+    rng: &mut Rng,
     code: &str,
     color: fn(&Textures, Vec2) -> Color,
     result: fn(Image, &DepthBuffer<f32>) -> Raw,
 ) -> Task<Textures> {
     let texture = if code.contains("&texture") { TEXTURE_CODE } else { "" };
-    let (light, call) = (LIGHT.code(), format!("draw_textured(&model, light, &mut image, {code})"));
+    let ([width, height], light) = (wide(rng), light(rng));
+    let call = format!("draw_textured(&model, light, &mut image, {code})");
     let code = format!(
-        "{MODEL_CODE}{texture}let light = {light};\nlet mut image = Image::new({SIDE}, {LOW}, Format::Rgb);\n\
+        "{MODEL_CODE}{texture}let light = {};\nlet mut image = Image::new({width}, {height}, Format::Rgb);\n\
          let depths = {call};\nlet got = {};",
+        light.code(),
         if code.contains("WHITE") { "depths" } else { "{ let _ = depths; image }" }
     );
-    Task::new("the model", code, move |student: &Textures| {
-        let mut image = canvas(SIDE, LOW);
-        let depths = (student.draw_textured)(&MODEL, LIGHT, &mut image, &|uv| color(student, uv));
+    Task::new(format!("the model, {width}x{height}"), code, move |student: &Textures| {
+        let mut image = canvas(width, height);
+        let depths = (student.draw_textured)(&MODEL, light, &mut image, &|uv| color(student, uv));
         result(image, &depths)
     })
-    .of(|_| {
-        let size = Vec2::new(f32::from(SIDE), f32::from(LOW));
-        let lit = MODEL.faces().filter(|&corners| triangles::flat_intensity(corners, LIGHT) >= 0.0);
+    .of(move |_| {
+        let size = Vec2::new(width.into(), height.into());
+        let lit = MODEL.faces().filter(|&corners| triangles::flat_intensity(corners, light) >= 0.0);
         lit.map(|corners| corners.map(|corner| zbuffer::to_screen(corner, size)).into()).collect()
     })
 }

@@ -1,11 +1,14 @@
 //! Mission 6: smooth shading.
 
-use common::{Color, Image, Model, Vec3};
+pub use gouraud_given as given;
+
+use common::{Bounds, Color, Image, Model, Vec3};
 use fastrand::Rng;
-use gouraud::{Drawn, Scene, Wrap, corner_normals};
-use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, Square, TEXTURE, TEXTURE_CODE, canvas, direction};
-use tasks::scenery::{squares, squares_code};
+use given::{Scene, corner_normals};
+use tasks::scenery::{MODEL, MODEL_CODE, Square, TEXTURE, TEXTURE_CODE, canvas, direction};
+use tasks::scenery::{light, squares, squares_code, wide};
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
+use zbuffer::DepthBuffer;
 
 /// What the student writes.
 #[derive(Clone, Copy)]
@@ -14,6 +17,17 @@ pub struct Gouraud {
     pub intensities: fn([Vec3; 3], Vec3) -> Vec3,
     /// The lesson's `gouraud`.
     pub gouraud: Draw,
+}
+
+/// What a drawing leaves behind.
+pub type Drawn = given::Drawn<DepthBuffer<f32>>;
+
+/// The depths of a drawing, whatever they were kept in: that depends on whose lesson 4 a student builds on.
+pub fn kept(bounds: Bounds, depth: impl Fn(i32, i32) -> f32) -> DepthBuffer<f32> {
+    let image = canvas((bounds.max.x + 1) as u16, (bounds.max.y + 1) as u16);
+    let mut depths = DepthBuffer::new(&image, f32::NEG_INFINITY);
+    image.pixels().for_each(|(x, y, _)| depths.set(x, y, depth(x, y)));
+    depths
 }
 
 /// A scene, a picture, and where a point lands in it.
@@ -43,13 +57,11 @@ pub const MISSION: Mission<Gouraud> = Mission {
             name: "two sides",
             asks: "two white squares; the left one faces the light, the right one faces away and is black",
             points: 1,
-            tasks: |_| {
+            tasks: |rng| {
+                let z = 0.6 + 0.3 * rng.f32();
                 let half =
                     |left, normal| Square { place: [left, -0.5, left + 0.5, 0.5, 0.0], normals: [normal; 4] };
-                vec![drawing(
-                    "two squares",
-                    &[half(-0.75, Vec3::new(0.6, 0.0, 0.8)), half(0.25, Vec3::new(0.8, 0.0, -0.6))],
-                )]
+                vec![drawing("two squares", &[half(-0.75, tilted(z)), half(0.25, tilted(-z))])]
             },
             precision: Precision::SHADED,
         },
@@ -58,11 +70,7 @@ pub const MISSION: Mission<Gouraud> = Mission {
             asks: "the brightness is interpolated and only then clamped at 0: the dark begins inside the square",
             points: 2,
             tasks: |rng| {
-                let mut tilted = |z: f32| {
-                    let z = z + 0.1 * rng.f32();
-                    Vec3::new((1.0 - z * z).sqrt(), 0.0, z)
-                };
-                let normals = [tilted(0.85), tilted(-0.6), tilted(-0.2), tilted(0.5)];
+                let normals = [0.85, -0.6, -0.2, 0.5].map(|z| tilted(z + 0.1 * rng.f32()));
                 vec![drawing("one square", &[Square { place: [-0.8, -0.8, 0.8, 0.8, 0.0], normals }])]
             },
             precision: Precision::SHADED,
@@ -81,10 +89,10 @@ pub const MISSION: Mission<Gouraud> = Mission {
             name: "depths",
             asks: "the depths that the drawing leaves behind",
             points: 1,
-            tasks: |_| {
+            tasks: |rng| {
                 let depths =
                     |drawn: &Drawn, _| Raw::depths(drawn.depths.bounds(), |x, y| drawn.depths.get(x, y));
-                vec![whole("drawn.depths", depths)]
+                vec![whole(rng, "drawn.depths", depths)]
             },
             precision: Precision { tolerance: 1e-3, ..Precision::MODEL },
         },
@@ -94,7 +102,7 @@ pub const MISSION: Mission<Gouraud> = Mission {
             points: 3,
             tasks: |rng| {
                 vec![
-                    whole("image", |_, image| Raw::Picture(image)),
+                    whole(rng, "image", |_, image| Raw::Picture(image)),
                     cut(rng, "image", |_, image| Raw::Picture(image)),
                 ]
             },
@@ -103,14 +111,19 @@ pub const MISSION: Mission<Gouraud> = Mission {
     ],
 };
 
-/// The course's model, texture and light.
-fn scene(normals: &[[Vec3; 3]]) -> Scene<'_> {
-    Scene { model: &MODEL, normals, texture: &TEXTURE, wrap: Wrap::Clamp, light: LIGHT }
+/// A normal at whose corner the brightness is z, under a light from the front.
+fn tilted(z: f32) -> Vec3 {
+    Vec3::new((1.0 - z * z).sqrt(), 0.0, z)
 }
 
-/// The triangles of a model in a square picture.
-fn shapes(model: &Model, side: u16) -> Vec<Shape> {
-    let size = canvas(side, side).size();
+/// The course's model and texture, under a light.
+fn scene(normals: &[[Vec3; 3]], light: Vec3) -> Scene<'_> {
+    Scene { model: &MODEL, normals, texture: &TEXTURE, light }
+}
+
+/// The triangles of a model in a picture.
+fn shapes(model: &Model, [width, height]: [u16; 2]) -> Vec<Shape> {
+    let size = canvas(width, height).size();
     model.faces().map(|corners| corners.map(|corner| zbuffer::to_screen(corner, size)).into()).collect()
 }
 
@@ -120,20 +133,19 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
         "{}let mut texture = Image::new(1, 1, Format::Rgb);\ntexture.set(0, 0, Color::WHITE);\n\
          let mut got = Image::new(80, 80, Format::Rgb);\nlet size = got.size();\n\
          let normals = corner_normals(&model);\n\
-         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: Vec3::Z }};\n\
+         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, light: Vec3::Z }};\n\
          gouraud(&scene, &mut got, |p| Some(zbuffer::to_screen(p, size)));",
         squares_code(four)
     );
     let model = squares(four);
-    let shapes = shapes(&model, 80);
+    let shapes = shapes(&model, [80, 80]);
     let mut white = canvas(1, 1);
     white.set(0, 0, Color::WHITE);
     Task::new(input, code, move |student: &Gouraud| {
         let mut image = canvas(80, 80);
         let size = image.size();
         let normals = corner_normals(&model);
-        let scene =
-            Scene { model: &model, normals: &normals, texture: &white, wrap: Wrap::Clamp, light: Vec3::Z };
+        let scene = Scene { model: &model, normals: &normals, texture: &white, light: Vec3::Z };
         (student.gouraud)(&scene, &mut image, &|p| Some(zbuffer::to_screen(p, size)));
         Raw::Picture(image)
     })
@@ -141,32 +153,36 @@ fn drawing(input: &str, four: &[Square]) -> Task<Gouraud> {
 }
 
 /// Draws the course's model.
-fn whole(code: &str, result: fn(&Drawn, Image) -> Raw) -> Task<Gouraud> {
-    let before = whole_code("|p| Some(zbuffer::to_screen(p, size))");
-    Task::new("the model", format!("{before}let got = {};", part(code)), move |student: &Gouraud| {
-        let mut image = canvas(SIDE, SIDE);
+fn whole(rng: &mut Rng, code: &str, result: fn(&Drawn, Image) -> Raw) -> Task<Gouraud> {
+    let (sides, light) = (wide(rng), light(rng));
+    let before = whole_code(sides, light, "|p| Some(zbuffer::to_screen(p, size))");
+    let input = format!("the model, {}x{}", sides[0], sides[1]);
+    Task::new(input, format!("{before}let got = {};", part(code)), move |student: &Gouraud| {
+        let mut image = canvas(sides[0], sides[1]);
         let size = image.size();
-        let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL)), &mut image, &|p| {
+        let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL), light), &mut image, &|p| {
             Some(zbuffer::to_screen(p, size))
         });
         result(&drawn, image)
     })
-    .of(|_| shapes(&MODEL, SIDE))
+    .of(move |_| shapes(&MODEL, sides))
 }
 
 /// Draws the part of the model that is left of some x.
 fn cut(rng: &mut Rng, code: &str, result: fn(Drawn, Image) -> Raw) -> Task<Gouraud> {
     let right = rng.f32() * 0.3 - 0.1;
-    let before = whole_code(&format!("|p| (p.x < {right}).then(|| zbuffer::to_screen(p, size))"));
+    let (sides, light) = (wide(rng), light(rng));
+    let before =
+        whole_code(sides, light, &format!("|p| (p.x < {right}).then(|| zbuffer::to_screen(p, size))"));
     let input = format!("{code} of the model without its part right of x = {right}");
     Task::new(input, format!("{before}let got = {};", part(code)), move |student: &Gouraud| {
-        let mut image = canvas(SIDE, SIDE);
+        let mut image = canvas(sides[0], sides[1]);
         let size = image.size();
         let place = |p: Vec3| (p.x < right).then(|| zbuffer::to_screen(p, size));
-        let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL)), &mut image, &place);
+        let drawn = (student.gouraud)(&scene(&corner_normals(&MODEL), light), &mut image, &place);
         result(drawn, image)
     })
-    .of(|_| shapes(&MODEL, SIDE))
+    .of(move |_| shapes(&MODEL, sides))
 }
 
 /// `drawn` and `image`, of which one is judged.
@@ -175,12 +191,12 @@ fn part(code: &str) -> &str {
 }
 
 /// The course's model, drawn, as Rust.
-fn whole_code(place: &str) -> String {
+fn whole_code([width, height]: [u16; 2], light: Vec3, place: &str) -> String {
     format!(
         "{MODEL_CODE}{TEXTURE_CODE}let normals = corner_normals(&model);\n\
-         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
-         let mut image = Image::new({SIDE}, {SIDE}, Format::Rgb);\nlet size = image.size();\n\
+         let scene = Scene {{ model: &model, normals: &normals, texture: &texture, light: {} }};\n\
+         let mut image = Image::new({width}, {height}, Format::Rgb);\nlet size = image.size();\n\
          let drawn = gouraud(&scene, &mut image, {place});\n",
-        LIGHT.code()
+        light.code()
     )
 }

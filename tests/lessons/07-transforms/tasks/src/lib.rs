@@ -3,7 +3,7 @@
 use common::{Mat4, Vec3};
 use fastrand::Rng;
 use gouraud::{Scene, Wrap, corner_normals};
-use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, point, signed};
+use tasks::scenery::{MODEL, MODEL_CODE, TEXTURE, TEXTURE_CODE, canvas, light, point, signed, wide};
 use tasks::{Check, Code, Mission, Precision, Raw, Task};
 
 /// What the student writes.
@@ -47,9 +47,9 @@ pub const MISSION: Mission<Transforms> = Mission {
         },
         Check {
             name: "parallel",
-            asks: "d = ∞ is the identity",
+            asks: "d = ∞ is the identity, and what is far away nearly so",
             points: 1,
-            tasks: |_| vec![projected(f32::INFINITY)],
+            tasks: |rng| vec![projected(f32::INFINITY), projected(1e4 + 1e6 * rng.f32())],
             precision: Precision::EXACT,
         },
         Check {
@@ -79,7 +79,7 @@ pub const MISSION: Mission<Transforms> = Mission {
             name: "picture",
             asks: "the model in perspective, and in parallel projection",
             points: 2,
-            tasks: |_| [2.0, f32::INFINITY].map(picture).into(),
+            tasks: |rng| [1.7 + 0.6 * rng.f32(), f32::INFINITY].map(|d| picture(rng, d)).into(),
             precision: Precision::MODEL,
         },
     ],
@@ -106,12 +106,9 @@ fn place(m: Mat4, p: Vec3) -> Task<Transforms> {
     })
 }
 
-/// Width and height of the picture, not the same.
-const SIZE: [u16; 2] = [SIDE, 300];
-
 /// The model, placed by the student's three functions.
-fn picture(d: f32) -> Task<Transforms> {
-    let [width, height] = SIZE;
+fn picture(rng: &mut Rng, d: f32) -> Task<Transforms> {
+    let ([width, height], light) = (wide(rng), light(rng));
     let code = format!(
         "{MODEL_CODE}{TEXTURE_CODE}let mut got = Image::new({width}, {height}, Format::Rgb);\n\
          let all = viewport({width}.0, {height}.0, 0.4) * projection({});\n\
@@ -119,7 +116,7 @@ fn picture(d: f32) -> Task<Transforms> {
          let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
          gouraud::gouraud(&scene, &mut got, |p| place(&all, p));",
         d.code(),
-        LIGHT.code()
+        light.code()
     );
     let all = move |functions: &Transforms| {
         (functions.viewport)(width.into(), height.into(), 0.4) * (functions.projection)(d)
@@ -132,7 +129,7 @@ fn picture(d: f32) -> Task<Transforms> {
             normals: &corner_normals(&MODEL),
             texture: &TEXTURE,
             wrap: Wrap::Clamp,
-            light: LIGHT,
+            light,
         };
         gouraud::gouraud(&scene, &mut image, |p| (student.place)(&all, p));
         Raw::Picture(image)

@@ -3,7 +3,7 @@
 use common::{Mat3, Mat4, Vec3};
 use fastrand::Rng;
 use gouraud::{Scene, Wrap, corner_normals};
-use tasks::scenery::{LIGHT, MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, direction, point};
+use tasks::scenery::{MODEL, MODEL_CODE, SIDE, TEXTURE, TEXTURE_CODE, canvas, direction, light, point};
 use tasks::{Check, Code, Mission, Precision, Raw, Task};
 use transforms::{place, projection, viewport};
 
@@ -43,19 +43,21 @@ pub const MISSION: Mission<Camera> = Mission {
         },
         Check {
             name: "one point",
-            asks: "an eye at the centre looks nowhere",
+            asks: "an eye at the centre looks nowhere, one beside it somewhere",
             points: 1,
             tasks: |rng| {
                 let p = point(rng);
-                vec![basis_of(&[p, p, Vec3::Y]), view_of(&[p, p, Vec3::Y])]
+                let mut tasks = vec![basis_of(&[p, p, Vec3::Y]), view_of(&[p, p, Vec3::Y])];
+                tasks.extend(views(rng, false).take(1).map(|view| view_of(&view)));
+                tasks
             },
-            precision: Precision::EXACT,
+            precision: Precision::NUMBERS,
         },
         Check {
             name: "picture",
             asks: "the model from the right and from above",
             points: 1,
-            tasks: |_| vec![picture()],
+            tasks: |rng| vec![picture(rng)],
             precision: Precision::MODEL,
         },
     ],
@@ -95,8 +97,11 @@ fn view_of(view: &View) -> Task<Camera> {
     })
 }
 
-fn picture() -> Task<Camera> {
-    const VIEW: View = [Vec3::new(1.0, 1.0, 2.0), Vec3::new(0.2, 0.0, 0.0), Vec3::Y];
+fn picture(rng: &mut Rng) -> Task<Camera> {
+    let light = light(rng);
+    let view =
+        [Vec3::new(1.0, 1.0, 2.0) + 0.2 * point(rng), Vec3::new(0.2, 0.0, 0.0) + 0.1 * point(rng), Vec3::Y];
+    let [eye, center, up] = view;
     let code = format!(
         "{MODEL_CODE}{TEXTURE_CODE}let mut got = Image::new({SIDE}, {SIDE}, Format::Rgb);\n\
          let (size, (eye, center)) = (got.size(), ({}, {}));\n\
@@ -106,18 +111,17 @@ fn picture() -> Task<Camera> {
          let normals = gouraud::corner_normals(&model);\n\
          let scene = gouraud::Scene {{ model: &model, normals: &normals, texture: &texture, wrap: gouraud::Wrap::Clamp, light: {} }};\n\
          gouraud::gouraud(&scene, &mut got, |p| transforms::place(&all, p));",
-        VIEW[0].code(),
-        VIEW[1].code(),
-        call("lookat", &VIEW),
-        LIGHT.code()
+        eye.code(),
+        center.code(),
+        call("lookat", &view),
+        light.code()
     );
-    let all = |functions: &Camera| {
-        let [eye, center, up] = VIEW;
+    let all = move |functions: &Camera| {
         let size = f32::from(SIDE);
         let view = (functions.lookat)(eye, center, up).unwrap_or(Mat4::NAN);
         viewport(size, size, 0.3) * projection(eye.distance(center)) * view
     };
-    Task::new("the model from (1, 1, 2) towards (0.2, 0, 0)", code, move |student: &Camera| {
+    Task::new(format!("the model from {eye} towards {center}"), code, move |student: &Camera| {
         let all = all(student);
         let mut image = canvas(SIDE, SIDE);
         let scene = Scene {
@@ -125,7 +129,7 @@ fn picture() -> Task<Camera> {
             normals: &corner_normals(&MODEL),
             texture: &TEXTURE,
             wrap: Wrap::Clamp,
-            light: LIGHT,
+            light,
         };
         gouraud::gouraud(&scene, &mut image, |p| place(&all, p));
         Raw::Picture(image)

@@ -1,11 +1,13 @@
 //! Mission 9: shaders.
 
+pub use shaders_given as given;
+
 use common::{Color, Mat4, Model, Vec2, Vec3};
 use fastrand::Rng;
+use given::{Framebuffer, Uniforms, fit};
 use gouraud::corner_normals;
-use shaders::{Draw, Framebuffer, Uniforms, fit};
 use tasks::scenery::{
-    LIGHT, MODEL, MODEL_CODE, SIDE, Square, TEXTURE, TEXTURE_CODE, canvas, squares, squares_code,
+    MODEL, MODEL_CODE, SIDE, Square, TEXTURE, TEXTURE_CODE, canvas, light, squares, squares_code,
 };
 use tasks::{Check, Code, Mission, Precision, Raw, Shape, Task};
 
@@ -22,12 +24,15 @@ pub struct Shaders {
     pub quantized_texture: Draw,
 }
 
+/// Draws with a look.
+pub type Draw = fn(&Uniforms, &mut Framebuffer);
+
 /// One of them, and its source and lighting as Rust.
 type Look = (fn(&Shaders) -> Draw, &'static str);
 
-const GOURAUD: Look = (|student| student.gouraud, "shaders::source::White, Gouraud");
+const GOURAUD: Look = (|student| student.gouraud, "shaders_given::White, Gouraud");
 const GOURAUD_TEXTURE: Look = (|student| student.gouraud_texture, "Texture, Gouraud");
-const QUANTIZED: Look = (|student| student.quantized, "shaders::source::White, Quantized");
+const QUANTIZED: Look = (|student| student.quantized, "shaders_given::White, Quantized");
 const QUANTIZED_TEXTURE: Look = (|student| student.quantized_texture, "Texture, Quantized");
 
 /// The mission.
@@ -114,7 +119,7 @@ pub const MISSION: Mission<Shaders> = Mission {
             name: "picture",
             asks: "the model, with a texture and in steps",
             points: 2,
-            tasks: |_| [GOURAUD_TEXTURE, QUANTIZED].map(model).into(),
+            tasks: |rng| [GOURAUD_TEXTURE, QUANTIZED].map(|look| model(rng, look)).into(),
             precision: Precision::MODEL,
         },
     ],
@@ -206,8 +211,8 @@ fn drawn(input: &str, scene: Scene, result: Result) -> Task<Shaders> {
     code += &format!(
         "let normals = gouraud::corner_normals(&model);\nlet uniforms = Uniforms {{\n    normals: &normals,\n    \
          texture: {},\n    light: {},\n    levels: {},\n    ..Uniforms::new(&model)\n}};\n\
-         let mut target = shaders::Framebuffer::new(Image::new({SMALL}, {SMALL}, Format::Rgb));\n\
-         shaders::draw(&uniforms, {}, &mut target);\nlet got = {};",
+         let mut target = shaders_given::Framebuffer::new(Image::new({SMALL}, {SMALL}, Format::Rgb));\n\
+         shaders_given::draw(&uniforms, {}, &mut target);\nlet got = {};",
         if texture.is_some() { "Some(&texture)" } else { "None" },
         light.code(),
         scene.levels,
@@ -238,30 +243,30 @@ fn shapes(model: &Model, to_clip: Mat4, side: u16) -> Vec<Shape> {
 }
 
 /// The course's model.
-fn model((look, code): Look) -> Task<Shaders> {
-    const ZOOM: f32 = 0.45;
-    let input = format!("the model under {}", code.trim_start_matches("shaders::source::"));
+fn model(rng: &mut Rng, (look, code): Look) -> Task<Shaders> {
+    let (zoom, light) = (0.4 + 0.1 * rng.f32(), light(rng));
+    let input = format!("the model under {}", code.trim_start_matches("shaders_given::"));
     let code = format!(
         "{MODEL_CODE}{TEXTURE_CODE}let normals = gouraud::corner_normals(&model);\n\
          let uniforms = Uniforms {{\n    normals: &normals,\n    texture: Some(&texture),\n    light: {},\n    \
-         to_clip: shaders::fit({}, Vec2::ONE),\n    levels: {STEPS},\n    ..Uniforms::new(&model)\n}};\n\
-         let mut target = shaders::Framebuffer::new(Image::new({SIDE}, {SIDE}, Format::Rgb));\n\
-         shaders::draw(&uniforms, {code}, &mut target);\nlet got = target.image;",
-        LIGHT.code(),
-        ZOOM.code()
+         to_clip: shaders_given::fit({}, Vec2::ONE),\n    levels: {STEPS},\n    ..Uniforms::new(&model)\n}};\n\
+         let mut target = shaders_given::Framebuffer::new(Image::new({SIDE}, {SIDE}, Format::Rgb));\n\
+         shaders_given::draw(&uniforms, {code}, &mut target);\nlet got = target.image;",
+        light.code(),
+        zoom.code()
     );
     Task::new(input, code, move |student: &Shaders| {
         let mut target = Framebuffer::new(canvas(SIDE, SIDE));
         let uniforms = Uniforms {
             normals: &corner_normals(&MODEL),
             texture: Some(&TEXTURE),
-            light: LIGHT,
-            to_clip: fit(ZOOM, Vec2::ONE),
+            light,
+            to_clip: fit(zoom, Vec2::ONE),
             levels: STEPS,
             ..Uniforms::new(&MODEL)
         };
         look(student)(&uniforms, &mut target);
         Raw::Picture(target.image)
     })
-    .of(|_| shapes(&MODEL, fit(ZOOM, Vec2::ONE), SIDE))
+    .of(move |_| shapes(&MODEL, fit(zoom, Vec2::ONE), SIDE))
 }

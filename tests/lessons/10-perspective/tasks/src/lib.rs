@@ -47,7 +47,7 @@ pub const MISSION: Mission<Perspective> = Mission {
         },
         Check {
             name: "refused",
-            asks: "None for what is no frustum",
+            asks: "None for what is no frustum, and for nothing else",
             points: 1,
             tasks: |rng| {
                 let good = askew(rng);
@@ -74,9 +74,10 @@ pub const MISSION: Mission<Perspective> = Mission {
                     with(5, f32::NEG_INFINITY),
                     [-1.0, 1.0, -1.0, 1.0, f32::INFINITY, f32::INFINITY],
                 ]);
+                all.push(good);
                 all.into_iter().map(frustum).collect()
             },
-            precision: Precision::EXACT,
+            precision: Precision::NUMBERS,
         },
         Check {
             name: "weights",

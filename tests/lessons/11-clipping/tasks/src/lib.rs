@@ -98,7 +98,7 @@ pub const MISSION: Mission<Clipping> = Mission {
             name: "neighbours",
             asks: "the same corner on a common side, to the last bit",
             points: 1,
-            tasks: |rng| vec![neighbours(rng.u64(..))],
+            tasks: |rng| vec![neighbours(rng)],
             precision: Precision::EXACT,
         },
         Check {
@@ -237,21 +237,19 @@ fn lying_in(rng: &mut Rng) -> Task<Clipping> {
     clipped(corners, vec![Vec4::Z], Columns::Positions)
 }
 
-/// How many sides are tried on which two triangles must agree.
-const SIDES: usize = 200;
-
 /// On how many sides two neighbours find the same corner.
-fn neighbours(seed: u64) -> Task<Clipping> {
+fn neighbours(rng: &mut Rng) -> Task<Clipping> {
+    let (sides, seed) = (rng.usize(150..250), rng.u64(..));
     let input =
-        format!("on {SIDES} sides, how often clip(&[a, b, c], plane) and clip(&[b, a, d], plane) agree");
-    let code = format!("let got = clipping_tasks::agreeing(clip, {seed});");
-    Task::new(input, code, move |student: &Clipping| Raw::value([agreeing(student.clip, seed) as f32]))
+        format!("on {sides} sides, how often clip(&[a, b, c], plane) and clip(&[b, a, d], plane) agree");
+    let code = format!("let got = clipping_tasks::agreeing(clip, {sides}, {seed});");
+    Task::new(input, code, move |student: &Clipping| Raw::value([agreeing(student.clip, sides, seed) as f32]))
 }
 
 /// On how many of random sides, one end inside of a plane and one outside, the triangles on both sides of it have the same
 /// new corner.
 #[must_use]
-pub fn agreeing(clip: fn(&[ClipVertex], Vec4) -> Vec<ClipVertex>, seed: u64) -> usize {
+pub fn agreeing(clip: fn(&[ClipVertex], Vec4) -> Vec<ClipVertex>, sides: usize, seed: u64) -> usize {
     let mut rng = Rng::with_seed(seed);
     let agree = |_: &usize| {
         let (corners, plane) = cut_triangle(&mut rng, [1, -1, 1]);
@@ -265,7 +263,7 @@ pub fn agreeing(clip: fn(&[ClipVertex], Vec4) -> Vec<ClipVertex>, seed: u64) -> 
         let other = new([b, a, d]);
         new([a, b, c]).iter().any(|corner| other.contains(corner))
     };
-    (0..SIDES).filter(agree).count()
+    (0..sides).filter(agree).count()
 }
 
 /// Width and height of the pictures.

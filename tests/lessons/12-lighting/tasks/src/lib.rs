@@ -51,11 +51,14 @@ pub const MISSION: Mission<Lighting> = Mission {
         },
         Check {
             name: "below",
-            asks: "no highlight where the half-way vector is behind the surface",
+            asks: "no highlight where the half-way vector is behind the surface, one where it is not",
             points: 1,
             tasks: |rng| {
                 // To an even power, to an odd one, and to one that no negative number has.
-                [2.0, 3.0, 4.5].map(|shininess| highlight(Place::below(rng, shininess))).into()
+                let mut tasks: Vec<_> =
+                    [2.0, 3.0, 4.5].map(|shininess| highlight(Place::below(rng, shininess))).into();
+                tasks.push(highlight(Place::shining(rng, 3.0)));
+                tasks
             },
             precision: Precision::NUMBERS,
         },
