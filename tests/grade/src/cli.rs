@@ -10,6 +10,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::class::{self, Options};
+use crate::report::Roster;
 use crate::walls::{NOT_BUILT, Terms, Walls};
 use crate::{kit, merge, proof};
 
@@ -55,6 +56,9 @@ enum Command {
         /// How many seconds a compiler or a program may take by the clock, when the machine is busy, before it is put off.
         #[arg(long, value_name = "SECONDS", default_value_t = 600)]
         patience: u64,
+        /// What Canvas (gradebook, Export) or Moodle (Download grading worksheet) gave: REPORT/import.csv is the same, filled in.
+        #[arg(long, value_name = "FILE")]
+        roster: Option<PathBuf>,
         /// The course's folder, if not the one that this program was built in.
         #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../.."), hide_default_value = true)]
         course: PathBuf,
@@ -70,6 +74,9 @@ enum Command {
         /// The folder for the reports; made if need be.
         #[arg(long, value_name = "REPORT")]
         out: PathBuf,
+        /// What Canvas or Moodle gave: REPORT/import.csv is the same, filled in.
+        #[arg(long, value_name = "FILE")]
+        roster: Option<PathBuf>,
     },
     /// Build walls around this process, and become a program.
     #[command(hide = true)]
@@ -106,7 +113,9 @@ pub(crate) fn main() -> ExitCode {
 const LOOK: u8 = 3;
 
 fn run(command: Command) -> anyhow::Result<ExitCode> {
-    let class = match command {
+    // A file that cannot be read is told before anything is graded.
+    let read = |path: Option<PathBuf>| path.map(|path| Roster::read(&path)).transpose();
+    let (class, out, roster) = match command {
         Command::Class {
             dir,
             out,
@@ -117,6 +126,7 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
             regrade,
             regrade_failed,
             patience,
+            roster,
             course,
             unsafe_no_sandbox,
         } => {
@@ -133,9 +143,10 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
                 let why = "--shard needs --seed: all parts of a class are graded with the same one";
                 Cli::command().error(ErrorKind::MissingRequiredArgument, why).exit();
             }
-            class::grade(&Options {
+            let roster = read(roster)?;
+            let class = class::grade(&Options {
                 class: dir,
-                report: out,
+                report: out.clone(),
                 course,
                 seed,
                 lessons,
@@ -144,9 +155,13 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
                 regrade,
                 regrade_failed,
                 terms: Terms { closed: !unsafe_no_sandbox, patience: Duration::from_secs(patience) },
-            })?
+            })?;
+            (class, out, roster)
         }
-        Command::Merge { parts, out } => merge::merge(&parts, &out)?,
+        Command::Merge { parts, out, roster } => {
+            let roster = read(roster)?;
+            (merge::merge(&parts, &out)?, out, roster)
+        }
         Command::Wall { walls, command } => {
             let walls: Walls = serde_json::from_str(&walls)?;
             match walls.enter(&command)? {}
@@ -154,5 +169,6 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
         Command::Try { folder } => return proof::attempt(&folder).map(|()| ExitCode::SUCCESS),
         Command::Exhaust { what } => return proof::exhaust(&what).map(|()| ExitCode::SUCCESS),
     };
+    roster.map_or(Ok(()), |roster| roster.write(&class, &out))?;
     Ok(if class.looks().is_empty() { ExitCode::SUCCESS } else { ExitCode::from(LOOK) })
 }

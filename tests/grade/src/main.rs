@@ -14,7 +14,7 @@
 //! class        all submissions, the same ones once; resumes where it was stopped
 //! results      what is kept of each, and the marks
 //! merge        several reports into one
-//! report       HTML, CSV, JUnit, Gradescope
+//! report       HTML for the class and each student, CSV, JUnit, Gradescope
 //! walls        what keeps a submission in; proof: that it does
 //! ```
 

@@ -27,12 +27,12 @@ pub(crate) fn finish(command: &mut Command, patience: Duration) -> anyhow::Resul
     let mut child = command.spawn().context("cannot start the launcher")?;
     let since = Instant::now();
     loop {
-        if let Some(status) = child.try_wait()? {
-            return Ok(killed(status).map_or(End::Ran(status), |why| End::PutOff(why.into())));
-        }
-        if since.elapsed() > patience {
+        if since.elapsed() >= patience {
             stop(&mut child)?;
             return Ok(End::PutOff(overdue(patience)));
+        }
+        if let Some(status) = child.try_wait()? {
+            return Ok(killed(status).map_or(End::Ran(status), |why| End::PutOff(why.into())));
         }
         std::thread::sleep(PAUSE);
     }

@@ -4,6 +4,9 @@ mod csv;
 mod gradescope;
 mod html;
 mod junit;
+mod numbers;
+mod roster;
+mod student;
 #[cfg(test)]
 mod tests;
 
@@ -13,6 +16,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::file;
 use crate::results::{Class, Judged, Outcome, Work};
+
+pub(crate) use roster::Roster;
 
 /// The page to open.
 pub(crate) const PAGE: &str = "index.html";
@@ -45,6 +50,7 @@ pub(crate) fn write(class: &Class, mut times: Vec<Time>, folder: &Path) -> anyho
             None if path.exists() => std::fs::remove_file(path)?,
             None => (),
         }
+        file::write(&folder.join(student::file(name)), student::page(class, name, works)?.as_bytes())?;
     }
     file::write(&folder.join(PAGE), html::page(class)?.as_bytes())
 }
@@ -63,6 +69,11 @@ pub(crate) fn times(folder: &Path) -> anyhow::Result<Vec<Time>> {
 }
 
 const TIMES: &str = "times.csv";
+
+/// Points to be shown; a dash where nothing is graded.
+fn points(earned: Option<u32>) -> String {
+    earned.map_or_else(|| "–".into(), |points| points.to_string())
+}
 
 /// Why a work was not run, and what was said; nothing if it was.
 fn not_run(work: &Work) -> Option<(&'static str, String)> {

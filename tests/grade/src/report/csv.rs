@@ -10,7 +10,8 @@ use crate::results::{Class, total};
 /// A row for each submission: points and state of each lesson, points of each check, the sum. Where something is not
 /// graded, the points and the sum are left empty: they are not 0.
 pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
-    let mut table = csv::Writer::from_writer(Vec::new());
+    // The mark by which Excel knows UTF-8.
+    let mut table = csv::Writer::from_writer("\u{feff}".as_bytes().to_vec());
     let mut head = vec!["submission".to_string()];
     for lesson in &class.lessons {
         head.extend([lesson.name.clone(), format!("{} state", lesson.name)]);
@@ -30,12 +31,12 @@ pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
     table.into_inner().map_err(|error| anyhow!("{error}"))
 }
 
-fn points(earned: Option<u32>) -> String {
+pub(super) fn points(earned: Option<u32>) -> String {
     earned.map(|points| points.to_string()).unwrap_or_default()
 }
 
 /// A name that a spreadsheet does not take for a formula.
-fn harmless(name: &str) -> String {
+pub(super) fn harmless(name: &str) -> String {
     if name.starts_with(['=', '+', '-', '@']) { format!("'{name}") } else { name.into() }
 }
 

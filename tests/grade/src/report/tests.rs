@@ -142,6 +142,10 @@ proptest! {
                 Outcome::Ran { printed, .. } => printed.trim(),
                 _ => "",
             };
+            let own = page(&read(&super::student::file(name)));
+            prop_assert_eq!(&*own.errors.borrow(), &Vec::<String>::new());
+            let texts = own.texts.borrow();
+            prop_assert!(texts.contains(name), "{name}");
             prop_assert!(said.is_empty() || texts.iter().any(|text| text == said), "{said:?}");
             let path = folder.path().join("gradescope").join(name).join("results.json");
             prop_assert_eq!(path.exists(), total(works).is_some());

@@ -294,8 +294,17 @@ fn nothing_was_written_elsewhere() {
     };
     assert_eq!(names(CLASS.folder.path()), ["canary", "class", "report"]);
     assert_eq!(fs::read_to_string(CLASS.folder.path().join("canary")).unwrap(), "alive");
-    let reports =
-        ["class.json", "grades.csv", "gradescope", "index.html", "junit.xml", "seed", "times.csv", "work"];
+    let reports = [
+        "class.json",
+        "grades.csv",
+        "gradescope",
+        "index.html",
+        "junit.xml",
+        "seed",
+        "students",
+        "times.csv",
+        "work",
+    ];
     assert_eq!(names(&CLASS.report()), reports);
     let graded = works.values().filter(|outcome| outcome.get("NotGraded").is_none()).count();
     assert_eq!(names(&CLASS.report().join("gradescope")).len(), graded);
@@ -309,7 +318,14 @@ fn the_reports_are_whole_and_nothing_in_them_is_of_the_students_making() {
     assert!(page.contains("O&#39;Neil &#34;x&#34; &#38; &#60;b&#62;y"), "names are escaped");
     assert!(!page.contains("<script>alert") && !page.contains("</details><script"));
     assert!(!page.contains("http://") && !page.contains("https://"), "the page needs no network");
-    assert!(page.matches("data:image/png;base64,").count() >= 3);
+    let own = |name: &str| fs::read_to_string(CLASS.report().join(format!("students/{name}.html"))).unwrap();
+    let partial = own("partial");
+    assert!(partial.matches("data:image/png;base64,").count() >= 3 && !partial.contains("never_steep"));
+    for (name, words) in [("odd_panic", "]]&#62; &#60;/pre&#62;&#60;script&#62;"), ("prints", "debug IVec2")]
+    {
+        let own = own(name);
+        assert!(own.contains(words) && !own.contains("<script"), "{own}");
+    }
     assert_eq!(page.matches("it held").count(), 11, "the report says which walls were up");
 
     let size = fs::metadata(CLASS.report().join("class.json")).unwrap().len();
@@ -374,8 +390,12 @@ fn small_class() -> TempDir {
 /// The files of a report of these submissions that depend on results alone.
 fn reports_of(report: &Path, names: &[String]) -> Vec<Vec<u8>> {
     let fixed = ["class.json", "index.html", "grades.csv", "junit.xml"].map(String::from);
-    let gradescope = names.iter().map(|name| format!("gradescope/{name}/results.json"));
-    fixed.into_iter().chain(gradescope).map(|name| fs::read(report.join(name)).unwrap()).collect()
+    let of_one = |name| [format!("gradescope/{name}/results.json"), format!("students/{name}.html")];
+    fixed
+        .into_iter()
+        .chain(names.iter().flat_map(of_one))
+        .map(|name| fs::read(report.join(name)).unwrap())
+        .collect()
 }
 
 /// Those of the small class.

@@ -83,11 +83,17 @@ fn each_shape_is_graded() {
     zip(&class.join("gray_106_5004_all.zip"), &[("src/lib.rs", FULL), ("src/main.rs", "fn main() {}")]);
     names.extend(["zip", "zip of a folder", "zip of macOS", "zip of Windows", "Fox_105", "gray_106"]);
 
-    let output = grade(&class, &report, &[]);
+    let roster = folder.path().join("roster.csv");
+    write(&roster, "Student,ID,Section\n\"Cohen, Cem\",103,A\n\"Dias, Di\",104,A\nNobody,9,A\n");
+    let output = grade(&class, &report, &["--roster", roster.to_str().unwrap()]);
     if !ran(&output, &report) {
         return;
     }
     println!("{}", said(&output));
+    let import = fs::read_to_string(report.join("import.csv")).unwrap();
+    let expected =
+        "Student,ID,Section,01-lines\n\"Cohen, Cem\",103,A,10\n\"Dias, Di\",104,A,10\nNobody,9,A,\n";
+    assert_eq!(import, expected);
     let outcomes = outcomes(&report);
     for name in &names {
         let outcome = outcomes[name][0]["outcome"].to_string();
