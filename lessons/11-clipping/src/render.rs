@@ -234,7 +234,7 @@ impl<'a, S: Shader + ?Sized> Stages<'a, S> {
     // ANCHOR_END: seen
 
     // ANCHOR: stages
-    /// The triangles: calls `fill(constant, corners, varyings)` as [`triangles`] does.
+    /// The triangles: calls `fill(constant, corners, varyings)` as [`triangles`](fn@triangles) does.
     #[inline]
     pub fn triangles(
         &self,
