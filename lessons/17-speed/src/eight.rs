@@ -1,7 +1,7 @@
 //! Eight pixels of a row at once, and shaders for them.
 
 use common::{Color, Vec3, Vec4};
-use fearless_simd::{Simd, f32x8, f64x8, mask32x8, prelude::*, u32x8};
+use fearless_simd::{Simd, f32x8, f64x8, i32x8, mask32x8, prelude::*, u32x8};
 use shaders::shader::{Fragment, Shader, Varying};
 
 use crate::triangle::Ready;
@@ -145,6 +145,25 @@ impl<T: Shader<Output = Color> + Sync> Wide for EachPixel<T> {
 #[must_use]
 pub fn packed(Color { r, g, b, a }: Color) -> u32 {
     u32::from_le_bytes([r, g, b, a])
+}
+
+/// Red, green and blue of eight colours, as numbers to compute with.
+#[inline(always)]
+pub(crate) fn channels<S: Simd>(colors: u32x8<S>) -> [f32x8<S>; 3] {
+    [(colors & 0xff).to_float(), (colors >> 8 & 0xff).to_float(), (colors >> 16 & 0xff).to_float()]
+}
+
+/// Rounded down to a code from 0 to 255, as a cast does it: NaN is 0.
+#[inline(always)]
+pub(crate) fn code<S: Simd>(simd: S, number: f32x8<S>) -> u32x8<S> {
+    let positive = number.simd_gt(0.0).select(number, f32x8::splat(simd, 0.0));
+    positive.min(255.0).to_int::<i32x8<S>>().bitcast()
+}
+
+/// Four channels' codes as colours.
+#[inline(always)]
+pub(crate) fn pack<S: Simd>([r, g, b, a]: [u32x8<S>; 4]) -> u32x8<S> {
+    r | g << 8 | b << 16 | a << 24
 }
 
 /// The numbers of the bits that are set.

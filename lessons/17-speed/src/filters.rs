@@ -1,14 +1,15 @@
 //! Lesson 13's shader, eight pixels at once.
 
 use common::Vec2;
-use fearless_simd::{Simd, f32x8, i32x8, prelude::*, u32x8};
+use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
+use filtering::Texture;
 use filtering::filter::{Anisotropic, Bilinear, Bilinear8, Filter, Nearest, Trilinear};
 use filtering::footprint::Asked;
 use filtering::shader::Filtered;
-use filtering::{Texture, Wrap};
 use perspective::lighting::Clamped;
 
-use crate::eight::{Eight, Wide, lanes, packed};
+use crate::eight::{Eight, Wide, channels, code, pack};
+use crate::texels;
 
 /// Eight pixels as lesson 13's shader has them: a triangle's gradients, texture coordinates and a brightness.
 pub type Textured<'a, S, F> = Eight<'a, S, (<<F as Filter>::Footprint as Asked>::Constant, ()), (Vec2, f32)>;
@@ -24,19 +25,17 @@ pub trait WideFilter: Filter<Footprint: Asked<Constant: Send + Sync + 'static>> 
         [u, v]: [f32x8<S>; 2],
         eight: &Textured<S, Self>,
     ) -> u32x8<S> {
-        let mut colors = [0; 8];
-        for lane in lanes(eight.asked) {
-            let uv = Vec2::new(u.as_slice()[lane], v.as_slice()[lane]);
+        let [u, v] = [u.to_array(), v.to_array()];
+        texels::each(simd, eight.asked, |lane| {
+            let uv = Vec2::new(u[lane], v[lane]);
             let footprint = Self::Footprint::at(eight.constant(lane).0, eight.x + lane as i32, eight.y, uv);
-            colors[lane] = packed(self.color(texture, uv, footprint));
-        }
-        u32x8::load_array(simd, colors)
+            self.color(texture, uv, footprint)
+        })
     }
 }
 
 impl WideFilter for Bilinear {}
 impl WideFilter for Bilinear8 {}
-impl WideFilter for Trilinear {}
 impl WideFilter for Anisotropic {}
 
 impl WideFilter for Nearest {
@@ -45,48 +44,28 @@ impl WideFilter for Nearest {
         self,
         simd: S,
         texture: &Texture,
-        [u, v]: [f32x8<S>; 2],
+        uv: [f32x8<S>; 2],
         eight: &Textured<S, Self>,
     ) -> u32x8<S> {
-        let level = texture.base();
-        let i = texel(simd, u, level.width(), texture.wrap);
-        let j = texel(simd, v, level.height(), texture.wrap);
-        // Row after row: no texture has so many texels that this overflows.
-        let places = (j * level.width() + i).to_array();
-        let mut colors = [0; 8];
-        if eight.asked == u8::MAX {
-            colors
-                .iter_mut()
-                .zip(places)
-                .for_each(|(color, place)| *color = packed(level.at(place as usize)));
-        } else {
-            lanes(eight.asked).for_each(|lane| colors[lane] = packed(level.at(places[lane] as usize)));
-        }
-        u32x8::load_array(simd, colors)
+        texels::nearest(simd, texture, uv, eight.asked)
     }
 }
 
-/// Which of n texels each u is in: see lesson 13's `nearest`.
-#[inline(always)]
-fn texel<S: Simd>(simd: S, u: f32x8<S>, n: i32, wrap: Wrap) -> i32x8<S> {
-    let zero = f32x8::splat(simd, 0.0);
-    let place = match wrap {
-        Wrap::Clamp => u.simd_gt(0.0).select(u.min(1.0), zero),
-        Wrap::Repeat => fraction(simd, u),
-        Wrap::Mirror => fraction(simd, u * 0.5) * 2.0,
-    };
-    let last = n * wrap.period() - 1;
-    let i = (place * n as f32).to_int::<i32x8<S>>().min(last);
-    if wrap == Wrap::Mirror { i.min(i32x8::splat(simd, 2 * n - 1) - i) } else { i }.max(0)
-}
-
-/// u − ⌊u⌋, as lesson 13's `wrap` has it.
-#[inline(always)]
-fn fraction<S: Simd>(simd: S, u: f32x8<S>) -> f32x8<S> {
-    let zero = f32x8::splat(simd, 0.0);
-    let rest = u - u.to_int::<i32x8<S>>().to_float::<f32x8<S>>();
-    let positive = rest.simd_lt(0.0).select(rest + 1.0, rest);
-    rest.abs().simd_lt(1.0).select(positive, zero)
+impl WideFilter for Trilinear {
+    #[inline(always)]
+    fn colors<S: Simd>(
+        self,
+        simd: S,
+        texture: &Texture,
+        uv: [f32x8<S>; 2],
+        eight: &Textured<S, Self>,
+    ) -> u32x8<S> {
+        let pixels = [std::array::from_fn(|lane| eight.x + lane as i32), [eight.y; 8]];
+        let size = texture.base().size();
+        let longer_squared =
+            texels::longer_squared(simd, size, &pixels, eight.parts, |(gradients, ())| Some(gradients), uv);
+        texels::trilinear(simd, texture, uv, longer_squared, eight.asked)
+    }
 }
 
 impl<F: WideFilter> Wide for Filtered<'_, F, Clamped> {
@@ -107,19 +86,11 @@ impl<F: WideFilter> Wide for Filtered<'_, F, Clamped> {
 /// Colours under a light: see `Color::shaded`.
 #[inline(always)]
 fn shaded<S: Simd>(simd: S, colors: u32x8<S>, intensity: f32x8<S>) -> u32x8<S> {
-    let channel = |shift: u32| -> u32x8<S> { (colors >> shift) & 0xff };
-    let (r, g, b) = (
-        shade(simd, channel(0), intensity),
-        shade(simd, channel(8), intensity),
-        shade(simd, channel(16), intensity),
-    );
-    r | (g << 8) | (b << 16) | (colors & 0xff00_0000)
-}
-
-#[inline(always)]
-fn shade<S: Simd>(simd: S, channel: u32x8<S>, intensity: f32x8<S>) -> u32x8<S> {
-    let light = channel.to_float::<f32x8<S>>() * intensity + 0.5;
-    // What is too bright is clamped. NaN is made of 0 times an infinite brightness, and becomes a number whose low bits are 0.
-    let clamped = light.simd_ge(255.0).select(f32x8::splat(simd, 255.0), light);
-    clamped.to_int::<i32x8<S>>().bitcast::<u32x8<S>>() & 0xff
+    let [r, g, b] = channels(colors);
+    pack([
+        code(simd, r * intensity + 0.5),
+        code(simd, g * intensity + 0.5),
+        code(simd, b * intensity + 0.5),
+        colors >> 24,
+    ])
 }

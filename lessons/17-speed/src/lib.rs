@@ -25,6 +25,7 @@ mod hierarchical_depth;
 mod render;
 mod simd;
 pub mod sixteen;
+mod texels;
 mod threads;
 mod tile;
 mod tiles;
@@ -67,59 +68,49 @@ pub struct Picture<'a> {
 /// Who draws one picture after another, all of one size, over whatever was in it.
 pub type Drawer = Box<dyn FnMut(&Picture, &mut Image) -> Counts>;
 
-/// Makes a drawer for pictures of a size.
-type Start = fn(Option<Plan>, [i32; 2]) -> Drawer;
+/// Makes a drawer for a method, pictures of a size and so many threads.
+type Start = fn(&Renderer, [i32; 2], usize) -> Drawer;
+
+/// For each row of lesson 13's table of filters who draws with it.
+const FILTERS: [Start; 5] = [
+    Renderer::start::<Nearest>,
+    Renderer::start::<Bilinear>,
+    Renderer::start::<Bilinear8>,
+    Renderer::start::<Trilinear>,
+    Renderer::start::<Anisotropic>,
+];
 
 /// A method.
 pub struct Renderer {
     /// Which ideas it uses, if it draws in tiles.
     pub plan: Option<Plan>,
-    /// Who draws by it, for each row of lesson 13's table of filters.
-    start: [Start; 5],
+    /// Whether lesson 13's loop goes over blocks, if it does not.
+    in_blocks: bool,
 }
 
 impl Renderer {
-    const SIMPLE: Self = Self {
-        plan: None,
-        start: [
-            |_, _| simple::<Nearest>(),
-            |_, _| simple::<Bilinear>(),
-            |_, _| simple::<Bilinear8>(),
-            |_, _| simple::<Trilinear>(),
-            |_, _| simple::<Anisotropic>(),
-        ],
-    };
-
-    const BLOCKS: Self = Self {
-        plan: None,
-        start: [
-            |_, _| blocks::<Nearest>(),
-            |_, _| blocks::<Bilinear>(),
-            |_, _| blocks::<Bilinear8>(),
-            |_, _| blocks::<Trilinear>(),
-            |_, _| blocks::<Anisotropic>(),
-        ],
-    };
+    const SIMPLE: Self = Self { plan: None, in_blocks: false };
+    const BLOCKS: Self = Self { plan: None, in_blocks: true };
 
     const fn tiled(plan: Plan) -> Self {
-        Self {
-            plan: Some(plan),
-            start: [
-                |plan, size| tiled::<Nearest>(plan, size),
-                |plan, size| tiled::<Bilinear>(plan, size),
-                |plan, size| tiled::<Bilinear8>(plan, size),
-                |plan, size| tiled::<Trilinear>(plan, size),
-                |plan, size| tiled::<Anisotropic>(plan, size),
-            ],
-        }
+        Self { plan: Some(plan), in_blocks: false }
     }
 
     /// Who draws by it, pictures of that size in pixels, textures filtered by that row of lesson 13's table, with so many
     /// threads if it uses them at all.
     #[must_use]
     pub fn drawer(&self, size: [i32; 2], filter: usize, threads: usize) -> Drawer {
-        let plan = self.plan.map(|plan| if plan.threads == 1 { plan } else { Plan { threads, ..plan } });
-        (self.start[filter])(plan, size)
+        FILTERS[filter](self, size, threads)
+    }
+
+    /// The same by one filter.
+    fn start<F: WideFilter>(&self, size: [i32; 2], threads: usize) -> Drawer {
+        match self.plan {
+            None if self.in_blocks => blocks::<F>(),
+            None => simple::<F>(),
+            Some(plan) if plan.threads == 1 => tiled::<F>(plan, size),
+            Some(plan) => tiled::<F>(Plan { threads, ..plan }, size),
+        }
     }
 }
 
@@ -147,8 +138,8 @@ fn blocks<F: WideFilter>() -> Drawer {
     })
 }
 
-fn tiled<F: WideFilter>(plan: Option<Plan>, size: [i32; 2]) -> Drawer {
-    let mut frame = Frame::new(size, plan.unwrap_or(SIMD));
+fn tiled<F: WideFilter>(plan: Plan, size: [i32; 2]) -> Drawer {
+    let mut frame = Frame::new(size, plan);
     Box::new(move |picture, image| {
         frame.clear(Color { a: 0, ..Color::BLACK });
         let mut counts = Counts::default();
@@ -209,7 +200,7 @@ pub const METHODS: &[Method<Renderer>] = &[
         name: "deferred",
         run: Renderer::tiled(DEFERRED),
         promise: "which triangle is seen is found first; each pixel is shaded once",
-        failure: "weights are computed twice; a shader that may drop fragments is not deferred",
+        failure: "sixteen bytes more are kept for each pixel; a shader that may drop fragments is not deferred",
     },
     Method {
         name: "threads",

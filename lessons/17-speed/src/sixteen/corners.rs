@@ -44,6 +44,13 @@ pub(crate) struct Constant {
     pub(crate) gradients: Option<Gradients>,
 }
 
+impl Constant {
+    #[inline(always)]
+    pub(crate) fn gradients(&self) -> Option<&Gradients> {
+        self.gradients.as_ref()
+    }
+}
+
 /// A triangle of any look.
 pub(crate) type Triangle = Ready<Constant, Numbers>;
 

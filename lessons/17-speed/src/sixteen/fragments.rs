@@ -1,18 +1,20 @@
 //! Fragments wait until they are eight, and are shaded at once, whatever triangles they are of.
 
 use blending::translucent::faded;
-use common::{Color, Vec3};
+use common::{Color, Vec2, Vec3};
 use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
+use filtering::Texture;
+use filtering::filter::bilinear;
 use scene::mesh::Paint;
 use scene::render::Pass;
-use scene::scene::{Shading, Style};
+use scene::scene::{Filtering, Shading, Style};
 
-use super::corners::{COLOR, NORMAL, POINT, Triangle, UV};
-use super::light::{Lamp, blinn, code, lit, pack};
-use super::texture;
+use super::corners::{COLOR, Constant, NORMAL, POINT, Triangle, UV};
+use super::light::{Lamp, blinn, lit};
 use super::tile::{PIXELS, Tile};
-use crate::eight::{corners, packed};
+use crate::eight::{code, corners, pack, packed};
 use crate::render::in_space;
+use crate::texels;
 
 /// How many are shaded at once.
 pub(crate) const LANES: usize = 8;
@@ -117,6 +119,27 @@ impl<S: Simd> Group<'_, S> {
     fn vector(&self, simd: S, n: usize) -> [f32x8<S>; 3] {
         [self.number(simd, n), self.number(simd, n + 1), self.number(simd, n + 2)]
     }
+
+    /// The colours of a texture at (u, v).
+    #[inline(always)]
+    fn texels(&self, simd: S, texture: &Texture, filter: Filtering, uv: [f32x8<S>; 2]) -> u32x8<S> {
+        let (base, all) = (texture.base(), u8::MAX);
+        match filter {
+            Filtering::Nearest => texels::nearest(simd, texture, uv, all),
+            Filtering::Bilinear => {
+                let [u, v] = [uv[0].to_array(), uv[1].to_array()];
+                texels::each(simd, all, |lane| {
+                    base.codes().color(bilinear(base, Vec2::new(u[lane], v[lane]), texture.wrap))
+                })
+            }
+            Filtering::Trilinear => {
+                let pixels = &self.pixels;
+                let longer_squared =
+                    texels::longer_squared(simd, base.size(), pixels, self.parts, Constant::gradients, uv);
+                texels::trilinear(simd, texture, uv, longer_squared, all)
+            }
+        }
+    }
 }
 
 /// The colours of eight fragments, put into the tile.
@@ -136,7 +159,7 @@ fn shade<S: Simd>(simd: S, look: &Look, triangles: &[Triangle], seen: &[Seen; LA
         }
         Paint::Texture(texture) => {
             let uv = [eight.number(simd, UV), eight.number(simd, UV + 1)];
-            texture::colors(simd, texture, look.style.filter, &eight, uv)
+            eight.texels(simd, texture, look.style.filter, uv)
         }
     };
     let shaded = match look.style.shading {

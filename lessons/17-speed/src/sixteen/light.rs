@@ -7,6 +7,8 @@ use lighting::light::Falloff;
 use lighting::power::Power;
 use scene::lamps::Seen;
 
+use crate::eight::{channels, code, pack};
+
 /// A light, made ready.
 pub(crate) struct Lamp {
     light: PointLight,
@@ -116,24 +118,11 @@ fn power<S: Simd>(simd: S, x: f32x8<S>, mut bits: u32) -> f32x8<S> {
 #[inline(always)]
 pub(crate) fn lit<S: Simd>(simd: S, base: u32x8<S>, body: f32x8<S>, highlight: f32x8<S>) -> u32x8<S> {
     let white = highlight * 255.0;
-    let (r, g, b): (f32x8<S>, f32x8<S>, f32x8<S>) =
-        ((base & 255).to_float(), (base >> 8 & 255).to_float(), (base >> 16 & 255).to_float());
+    let [r, g, b] = channels(base);
     pack([
         code(simd, r * body + white + 0.5),
         code(simd, g * body + white + 0.5),
         code(simd, b * body + white + 0.5),
         base >> 24,
     ])
-}
-
-/// Rounded down to a code from 0 to 255, as a cast does it.
-#[inline(always)]
-pub(crate) fn code<S: Simd>(simd: S, number: f32x8<S>) -> u32x8<S> {
-    only(simd, number.simd_gt(0.0), number).min(255.0).to_int()
-}
-
-/// Four channels as colours.
-#[inline(always)]
-pub(crate) fn pack<S: Simd>([r, g, b, a]: [u32x8<S>; 4]) -> u32x8<S> {
-    r | g << 8 | b << 16 | a << 24
 }

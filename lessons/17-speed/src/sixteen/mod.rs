@@ -15,7 +15,6 @@ mod fragments;
 mod light;
 mod raster;
 mod samples;
-mod texture;
 mod tile;
 
 use std::sync::{Mutex, PoisonError};

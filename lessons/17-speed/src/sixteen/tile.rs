@@ -6,6 +6,7 @@ use common::{Bounds, Color, IVec2};
 use fearless_simd::{Simd, mask32x8, prelude::*, u32x8};
 
 use super::samples::{ALL, SAMPLES};
+use crate::eight::packed;
 
 /// A tile's side in pixels.
 pub(crate) const SIDE: i32 = 32;
@@ -124,10 +125,6 @@ fn mean<S: Simd>(simd: S, colors: &[u32; SAMPLES]) -> u32 {
         (sum + 0x0008_0008) >> 4 & EVEN
     };
     sum(0) | sum(8) << 8
-}
-
-fn packed(color: Color) -> u32 {
-    crate::eight::packed(color)
 }
 
 fn unpacked(color: u32) -> Color {

@@ -5,61 +5,94 @@
 //! needed at all, or whether four texels differ, both cost less here than a branch that a processor cannot foresee: between
 //! equal ones lies just the same, and a share of 0 changes nothing.
 
-use common::{Vec2, Vec4};
+use common::{Color, Vec2, Vec4};
 use fearless_simd::{Simd, f32x8, f64x8, i32x8, mask64x8, prelude::*, u32x8};
-use filtering::Wrap;
-use filtering::filter::{Filter, Nearest, bilinear, trilinear};
 use filtering::footprint::Gradients;
 use filtering::texture::{Level, Texture};
-use scene::scene::Filtering;
+use filtering::{Wrap, filter};
 
-use super::corners::Triangle;
-use super::fragments::{Group, LANES};
-use crate::eight::{narrow, packed};
+use crate::eight::{Part, lanes, narrow, packed};
+use crate::triangle::Ready;
 
-/// The colours at (u, v).
+/// How many fragments there are.
+const LANES: usize = 8;
+
+/// A colour for each of those that are asked for, found one by one.
 #[inline(always)]
-pub(crate) fn colors<S: Simd>(
-    simd: S,
-    texture: &Texture,
-    filter: Filtering,
-    eight: &Group<S>,
-    [u, v]: [f32x8<S>; 2],
-) -> u32x8<S> {
-    let (base, mut lights) = (texture.base(), [Vec4::ZERO; LANES]);
-    let uvs = [u.to_array(), v.to_array()];
-    let uv = |lane: usize| Vec2::new(uvs[0][lane], uvs[1][lane]);
-    let each = lights.iter_mut().enumerate();
-    match filter {
-        Filtering::Nearest => {
-            let color = |lane: usize| packed(Nearest.color(texture, uv(lane), ()));
-            return u32x8::load_array(simd, std::array::from_fn(color));
-        }
-        Filtering::Bilinear => each.for_each(|(lane, light)| *light = bilinear(base, uv(lane), texture.wrap)),
-        Filtering::Trilinear => {
-            let level = level(simd, longer_squared(simd, base.size(), eight, [u, v]));
-            if texture.wrap == Wrap::Repeat {
-                repeated(simd, texture, [u, v], level, &mut lights);
-            } else {
-                let levels = level.to_array();
-                each.for_each(|(lane, light)| *light = trilinear(texture, uv(lane), levels[lane]));
-            }
-        }
-    }
+pub(crate) fn each<S: Simd>(simd: S, asked: u8, color: impl Fn(usize) -> Color) -> u32x8<S> {
     let mut colors = [0; LANES];
-    for (color, light) in colors.iter_mut().zip(lights) {
-        *color = packed(base.codes().color(light));
+    if asked == u8::MAX {
+        colors.iter_mut().enumerate().for_each(|(lane, place)| *place = packed(color(lane)));
+    } else {
+        lanes(asked).for_each(|lane| colors[lane] = packed(color(lane)));
     }
     u32x8::load_array(simd, colors)
 }
 
-/// The light of a texture that is repeated: see [`trilinear`].
+/// The texels that (u, v) are in: see [`filter::nearest`].
+#[inline(always)]
+pub(crate) fn nearest<S: Simd>(simd: S, texture: &Texture, [u, v]: [f32x8<S>; 2], asked: u8) -> u32x8<S> {
+    let level = texture.base();
+    let i = texel(simd, u, level.width(), texture.wrap);
+    let j = texel(simd, v, level.height(), texture.wrap);
+    // Row after row: no texture has so many texels that this overflows.
+    let places = (j * level.width() + i).to_array();
+    each(simd, asked, |lane| level.at(places[lane] as usize))
+}
+
+/// Which of n texels each u is in: see lesson 13's `nearest`.
+#[inline(always)]
+fn texel<S: Simd>(simd: S, u: f32x8<S>, n: i32, wrap: Wrap) -> i32x8<S> {
+    let zero = f32x8::splat(simd, 0.0);
+    let place = match wrap {
+        Wrap::Clamp => u.simd_gt(0.0).select(u.min(1.0), zero),
+        Wrap::Repeat => fraction(simd, u),
+        Wrap::Mirror => fraction(simd, u * 0.5) * 2.0,
+    };
+    let last = n * wrap.period() - 1;
+    let i = (place * n as f32).to_int::<i32x8<S>>().min(last);
+    if wrap == Wrap::Mirror { i.min(i32x8::splat(simd, 2 * n - 1) - i) } else { i }.max(0)
+}
+
+/// u − ⌊u⌋, as lesson 13's `wrap` has it; 0 for what is not finite. What is beyond the whole numbers that a lane holds is cut
+/// off to any of these, and leaves a rest of 1 or more.
+#[inline(always)]
+fn fraction<S: Simd>(simd: S, u: f32x8<S>) -> f32x8<S> {
+    let zero = f32x8::splat(simd, 0.0);
+    let rest = u - u.to_int::<i32x8<S>>().to_float::<f32x8<S>>();
+    let place = rest.simd_lt(0.0).select(rest + 1.0, rest);
+    rest.abs().simd_lt(1.0).select(place, zero)
+}
+
+/// Between two levels: see [`filter::Trilinear`]; `longer_squared` is what [`longer_squared`] tells.
+#[inline(always)]
+pub(crate) fn trilinear<S: Simd>(
+    simd: S,
+    texture: &Texture,
+    [u, v]: [f32x8<S>; 2],
+    longer_squared: f32x8<S>,
+    asked: u8,
+) -> u32x8<S> {
+    let (level, codes) = (level(simd, longer_squared), texture.base().codes());
+    if texture.wrap == Wrap::Repeat {
+        let mut lights = [Vec4::ZERO; LANES];
+        repeated(simd, texture, [u, v], level, asked, &mut lights);
+        return each(simd, asked, |lane| codes.color(lights[lane]));
+    }
+    let [u, v, level] = [u.to_array(), v.to_array(), level.to_array()];
+    each(simd, asked, |lane| {
+        codes.color(filter::trilinear(texture, Vec2::new(u[lane], v[lane]), level[lane]))
+    })
+}
+
+/// The light of a texture that is repeated: see [`filter::trilinear`].
 #[inline(always)]
 fn repeated<S: Simd>(
     simd: S,
     texture: &Texture,
     [u, v]: [f32x8<S>; 2],
     level: f32x8<S>,
+    asked: u8,
     lights: &mut [Vec4; LANES],
 ) {
     let levels = texture.levels();
@@ -76,10 +109,10 @@ fn repeated<S: Simd>(
     let columns = [between(simd, u, finer.map(Level::width)), between(simd, u, coarser.map(Level::width))];
     let rows = [between(simd, v, finer.map(Level::height)), between(simd, v, coarser.map(Level::height))];
     let share = share.to_array();
-    for (lane, light) in lights.iter_mut().enumerate() {
+    for lane in lanes(asked) {
         let fine = four(finer[lane], columns[0].lane(lane), rows[0].lane(lane));
         let coarse = four(coarser[lane], columns[1].lane(lane), rows[1].lane(lane));
-        *light = mix(fine, coarse, share[lane]);
+        lights[lane] = mix(fine, coarse, share[lane]);
     }
 }
 
@@ -127,24 +160,24 @@ fn mix(from: Vec4, to: Vec4, share: f32) -> Vec4 {
     from + (to - from) * share
 }
 
-/// How much more numbers are than the whole ones below them; 0 for what is not finite: see [`Wrap::place`].
+/// The squares of the longer sides of eight footprints, in texels: see [`Gradients::footprint`]. `pixels` are columns and
+/// rows, `gradients` finds those of a triangle in what is the same all over it.
 #[inline(always)]
-fn fraction<S: Simd>(simd: S, u: f32x8<S>) -> f32x8<S> {
-    let zero = f32x8::splat(simd, 0.0);
-    let rest = u - u.to_int_precise::<i32x8<S>>().to_float::<f32x8<S>>();
-    let place = rest.simd_lt(0.0).select(rest + 1.0, rest);
-    (rest.simd_gt(-1.0) & rest.simd_lt(1.0)).select(place, zero)
-}
-
-/// The squares of the longer sides of eight footprints, in texels: see [`Gradients::footprint`].
-#[inline(always)]
-fn longer_squared<S: Simd>(simd: S, size: Vec2, eight: &Group<S>, uv: [f32x8<S>; 2]) -> f32x8<S> {
-    let [x, y] = [centers(simd, &eight.pixels[0]), centers(simd, &eight.pixels[1])];
-    let slope = [of(simd, eight, |g| g.inverse_w.x), of(simd, eight, |g| g.inverse_w.y)];
-    let w = 1.0 / (slope[0] * x + slope[1] * y + of(simd, eight, |g| g.inverse_w.z));
+pub(crate) fn longer_squared<S: Simd, C, V>(
+    simd: S,
+    size: Vec2,
+    pixels: &[[i32; LANES]; 2],
+    parts: &[Part<C, V>],
+    gradients: impl Fn(&C) -> Option<&Gradients>,
+    uv: [f32x8<S>; 2],
+) -> f32x8<S> {
+    let of = &gradients;
+    let [x, y] = [centers(simd, &pixels[0]), centers(simd, &pixels[1])];
+    let slope = [number(simd, parts, of, |g| g.inverse_w.x), number(simd, parts, of, |g| g.inverse_w.y)];
+    let w = 1.0 / (slope[0] * x + slope[1] * y + number(simd, parts, of, |g| g.inverse_w.z));
     let [u, v] = [widened(uv[0]), widened(uv[1])];
-    let [ux, uy] = [of(simd, eight, |g| g.u.x), of(simd, eight, |g| g.u.y)];
-    let [vx, vy] = [of(simd, eight, |g| g.v.x), of(simd, eight, |g| g.v.y)];
+    let [ux, uy] = [number(simd, parts, of, |g| g.u.x), number(simd, parts, of, |g| g.u.y)];
+    let [vx, vy] = [number(simd, parts, of, |g| g.v.x), number(simd, parts, of, |g| g.v.y)];
     // How far u and v move to the next pixel along x and along y.
     let ux = narrow(simd, (ux - slope[0] * u) * w) * size.x;
     let uy = narrow(simd, (uy - slope[1] * u) * w) * size.x;
@@ -153,14 +186,19 @@ fn longer_squared<S: Simd>(simd: S, size: Vec2, eight: &Group<S>, uv: [f32x8<S>;
     (ux * ux + vx * vx).max_precise(uy * uy + vy * vy)
 }
 
-/// A number of the gradients of each one's triangle.
+/// A number of the gradients of each one's triangle; 0 where it has none.
 #[inline(always)]
-fn of<S: Simd>(simd: S, eight: &Group<S>, number: impl Fn(&Gradients) -> f64) -> f64x8<S> {
-    let number = |triangle: &Triangle| triangle.constant.gradients.as_ref().map_or(0.0, &number);
-    let mut numbers = f64x8::splat(simd, number(eight.parts[0].1));
-    for &(lanes, triangle) in &eight.parts[1..] {
+fn number<S: Simd, C, V>(
+    simd: S,
+    parts: &[Part<C, V>],
+    gradients: &impl Fn(&C) -> Option<&Gradients>,
+    number: impl Fn(&Gradients) -> f64,
+) -> f64x8<S> {
+    let of = |triangle: &Ready<C, V>| gradients(&triangle.constant).map_or(0.0, &number);
+    let mut numbers = f64x8::splat(simd, of(parts[0].1));
+    for &(lanes, triangle) in &parts[1..] {
         let lanes = mask64x8::from_bitmask(simd, lanes.into());
-        numbers = lanes.select(f64x8::splat(simd, number(triangle)), numbers);
+        numbers = lanes.select(f64x8::splat(simd, of(triangle)), numbers);
     }
     numbers
 }
