@@ -35,9 +35,14 @@ pub enum Cover {
 #[inline]
 #[must_use]
 pub fn cover(edges: DVec3, right: DVec3, up: DVec3, inside: DVec3) -> Cover {
-    const LAST: f64 = (SIDE - 1) as f64;
-    let most = edges + (right.max(DVec3::ZERO) + up.max(DVec3::ZERO)) * LAST;
-    let least = edges + (right.min(DVec3::ZERO) + up.min(DVec3::ZERO)) * LAST;
+    cover_within(f64::from(SIDE - 1), edges, right, up, inside)
+}
+
+/// The same of a square that is so many pixels wide, from the edge functions at its lower left corner.
+#[inline]
+pub(crate) fn cover_within(width: f64, edges: DVec3, right: DVec3, up: DVec3, inside: DVec3) -> Cover {
+    let most = edges + (right.max(DVec3::ZERO) + up.max(DVec3::ZERO)) * width;
+    let least = edges + (right.min(DVec3::ZERO) + up.min(DVec3::ZERO)) * width;
     if most.cmplt(inside).any() {
         Cover::Nothing
     } else if least.cmpge(inside).all() {

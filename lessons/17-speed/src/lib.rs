@@ -8,8 +8,8 @@
 //! rejects 8×8 pixels at once. From there on pictures are drawn in a [`frame`]: `simd` has eight pixels of a row in the lanes of
 //! a register, `tiles` sorts triangles by where they are, `hierarchical_depth` knows how deep blocks are, `deferred` finds what
 //! is seen before it is shaded, `threads` shares out the work; `render` draws a tile with as many of them as are asked for.
-//! [`eight`] has shaders for eight pixels, [`filters`] lesson 13's. [`sixteen`] draws lesson
-//! 16's scene with sixteen samples a pixel.
+//! [`eight`] has shaders for eight pixels, [`filters`] lesson 13's, `texels` what these fetch. [`sixteen`] draws lesson 16's
+//! scene with sixteen samples a pixel.
 //!
 //! From earlier lessons come vertices, cuts and culling (lesson 11's [`Stages`](clipping::render::Stages)), textures (13), and
 //! every formula: what is computed here for eight pixels at once is rounded as lessons 3, 4 and 10 round it, in the same order.

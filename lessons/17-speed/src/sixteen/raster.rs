@@ -1,13 +1,13 @@
 //! From triangles to fragments: which samples of a tile are covered, and seen.
 
-use common::{Bounds, DVec3, IVec2};
+use common::{Bounds, IVec2};
 use fearless_simd::{Simd, f32x16, mask32x16, prelude::*};
 
 use super::corners::Triangle;
 use super::fragments::{Fragments, Look};
 use super::samples::{ALL, Depths, Margins, Offsets, centroid};
 use super::tile::Tile;
-use crate::blocks::{Cover, SIDE};
+use crate::blocks::{Cover, SIDE, cover_within};
 use crate::triangle::Edges;
 
 /// Draws the triangles with these numbers into a tile, in this order.
@@ -101,16 +101,7 @@ fn find<S: Simd>(
 /// a square as wide as the block, from half a pixel to the left of and below the first centre.
 #[inline(always)]
 fn cover(edges: &Edges, x: i32, y: i32) -> Cover {
-    const WIDTH: f64 = SIDE as f64;
     let Edges { right, up, inside, .. } = *edges;
     let corner = edges.at(x, y) - (right + up) / 2.0;
-    let most = corner + (right.max(DVec3::ZERO) + up.max(DVec3::ZERO)) * WIDTH;
-    let least = corner + (right.min(DVec3::ZERO) + up.min(DVec3::ZERO)) * WIDTH;
-    if most.cmplt(inside).any() {
-        Cover::Nothing
-    } else if least.cmpge(inside).all() {
-        Cover::Whole
-    } else {
-        Cover::Part
-    }
+    cover_within(f64::from(SIDE), corner, right, up, inside)
 }
