@@ -186,16 +186,18 @@ pub(crate) fn files(book: &Path, lessons: &[Lesson]) -> anyhow::Result<Vec<(Path
     Ok(files)
 }
 
-/// The table of contents with the lessons of a part in the place of `{{lessons 1-9}}`. A part that has none yet is left out.
+/// The table of contents with the lessons of a part in the place of `{{lessons 1-9}}`; those of the last part are
+/// `{{lessons 16-}}`. A part that has none yet is left out.
 fn with_lessons(contents: &str, lessons: &[Lesson]) -> String {
     static PART: LazyLock<Regex> = LazyLock::new(|| {
-        Regex::new(r"(# .*\n\n)\{\{lessons (\d+)-(\d+)\}\}\n\n").expect("the pattern is right")
+        Regex::new(r"(# .*\n\n)\{\{lessons (\d+)-(\d*)\}\}\n\n").expect("the pattern is right")
     });
     let line = |lesson: &Lesson| {
         format!("- [{}. {}]({})\n", lesson.lesson.number, lesson.lesson.title, page_of(lesson).display())
     };
     let lines = |part: &regex::Captures| -> String {
-        let [first, last] = [&part[2], &part[3]].map(|number| number.parse::<u8>().unwrap_or_default());
+        let first = part[2].parse().unwrap_or_default();
+        let last = part[3].parse().unwrap_or(u8::MAX);
         let own = lessons.iter().filter(|lesson| (first..=last).contains(&lesson.lesson.number));
         let lines: String = own.map(line).collect();
         if lines.is_empty() { lines } else { format!("{}{lines}\n", &part[1]) }
