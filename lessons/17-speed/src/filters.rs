@@ -1,6 +1,6 @@
 //! Lesson 13's shader, eight pixels at once.
 
-use common::Vec2;
+use common::{Color, Vec2};
 use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 use filtering::Texture;
 use filtering::filter::{Anisotropic, Bilinear, Bilinear8, Filter, Nearest, Trilinear};
@@ -28,10 +28,21 @@ pub trait WideFilter: Filter<Footprint: Asked<Constant: Send + Sync + 'static>> 
         let [u, v] = [u.to_array(), v.to_array()];
         texels::each(simd, eight.asked, |lane| {
             let uv = Vec2::new(u[lane], v[lane]);
-            let footprint = Self::Footprint::at(eight.constant(lane).0, eight.x + lane as i32, eight.y, uv);
-            self.color(texture, uv, footprint)
+            one(self, texture, uv, eight.constant(lane).0, [eight.x + lane as i32, eight.y])
         })
     }
+}
+
+/// The colour at one (u, v). Compiled once, and not for each set of instructions.
+#[inline(never)]
+fn one<F: WideFilter>(
+    filter: F,
+    texture: &Texture,
+    uv: Vec2,
+    constant: <F::Footprint as Asked>::Constant,
+    [x, y]: [i32; 2],
+) -> Color {
+    filter.color(texture, uv, F::Footprint::at(constant, x, y, uv))
 }
 
 impl WideFilter for Bilinear {}
@@ -60,11 +71,18 @@ impl WideFilter for Trilinear {
         uv: [f32x8<S>; 2],
         eight: &Textured<S, Self>,
     ) -> u32x8<S> {
-        let pixels = [std::array::from_fn(|lane| eight.x + lane as i32), [eight.y; 8]];
-        let size = texture.base().size();
-        let longer_squared =
-            texels::longer_squared(simd, size, &pixels, eight.parts, |(gradients, ())| Some(gradients), uv);
-        texels::trilinear(simd, texture, uv, longer_squared, eight.asked)
+        // A function of its own: it is long, and asked for in several places.
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let pixels = [std::array::from_fn(|lane| eight.x + lane as i32), [eight.y; 8]];
+                let size = texture.base().size();
+                let parts = eight.parts;
+                let longer_squared =
+                    texels::longer_squared(simd, size, &pixels, parts, |(gradients, ())| Some(gradients), uv);
+                texels::trilinear(simd, texture, uv, longer_squared, eight.asked)
+            },
+        )
     }
 }
 

@@ -80,9 +80,13 @@ pub(crate) fn trilinear<S: Simd>(
         return each(simd, asked, |lane| codes.color(lights[lane]));
     }
     let [u, v, level] = [u.to_array(), v.to_array(), level.to_array()];
-    each(simd, asked, |lane| {
-        codes.color(filter::trilinear(texture, Vec2::new(u[lane], v[lane]), level[lane]))
-    })
+    each(simd, asked, |lane| one(texture, Vec2::new(u[lane], v[lane]), level[lane]))
+}
+
+/// The colour between two levels at one (u, v). Compiled once, and not for each set of instructions.
+#[inline(never)]
+fn one(texture: &Texture, uv: Vec2, level: f32) -> Color {
+    texture.base().codes().color(filter::trilinear(texture, uv, level))
 }
 
 /// The light of a texture that is repeated: see [`filter::trilinear`].

@@ -26,24 +26,34 @@ impl Copy {
 
     /// `cargo` with these arguments, in the copy.
     pub(crate) fn cargo(&self, arguments: &[&str]) -> Output {
-        self.cargo_into(&self.root.join("target"), arguments)
+        self.within(Command::new(env!("CARGO")).args(arguments)).output().expect("cargo can be started")
     }
 
-    /// The copy's book, which takes many crates: other people's are those that were built for the course itself.
+    /// The copy's book.
     pub(crate) fn book(&self, arguments: &[&str]) -> Output {
-        let run = ["run", "--release", "--package=book", "--"];
-        self.cargo_into(&Path::new(COURSE).join("target"), &[&run, arguments].concat())
+        self.cargo(&[&["run", "--package=book", "--"], arguments].concat())
     }
 
-    fn cargo_into(&self, target: &Path, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO"))
-            .args(arguments)
+    /// Has a program run in the copy, and what it builds built for a short wait. Other people's crates are those that were built
+    /// for the course itself.
+    pub(crate) fn within<'a>(&self, program: &'a mut Command) -> &'a mut Command {
+        program
             .current_dir(&self.root)
-            .env("CARGO_TARGET_DIR", target)
+            .env("CARGO_TARGET_DIR", target())
+            .env("CARGO_PROFILE_DEV_OPT_LEVEL", "1")
+            .env("CARGO_PROFILE_DEV_DEBUG", "none")
             .env("CARGO_TERM_COLOR", "never")
-            .output()
-            .expect("cargo can be started")
     }
+
+    /// One of the copy's programs, once it is built.
+    pub(crate) fn program(name: &str) -> PathBuf {
+        target().join("debug").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    }
+}
+
+/// Where all is built.
+fn target() -> PathBuf {
+    Path::new(COURSE).join("target")
 }
 
 /// Makes a folder a copy of another, but for what is left out of both. A file that is the same already is left alone,

@@ -42,8 +42,7 @@ impl Copy {
 
     /// A student's program, run.
     fn run(&self, lesson: &str) -> Output {
-        let program = format!("target/debug/my-{}{}", name(lesson), std::env::consts::EXE_SUFFIX);
-        let mut command = Command::new(self.root.join(program));
+        let mut command = Command::new(Self::program(&format!("my-{}", name(lesson))));
         command.current_dir(&self.root).env("RUST_BACKTRACE", "1").output().expect("it was built")
     }
 
@@ -135,7 +134,7 @@ fn starters_fail_kindly_and_solutions_pass() {
     // of it was inlined. Windows keeps symbols in another file.
     let mut judges = 0;
     for lesson in LESSONS.iter().filter(|_| !cfg!(windows)) {
-        let crates = |program: String| crates(&copy.root.join("target/debug").join(program));
+        let crates = |program: String| crates(&Copy::program(&program));
         let (own, mission) = (name(lesson), crates(format!("my-{}", name(lesson))));
         let linked = mission.contains("tasks") && mission.contains(&format!("{own}_tasks"));
         assert!(linked && !mission.contains(own), "{lesson}: {mission:?}");
@@ -146,8 +145,7 @@ fn starters_fail_kindly_and_solutions_pass() {
     // Every input can be pasted into a test.
     for lesson in LESSONS.iter() {
         let solution = copy.read(lesson, "src/lib.rs");
-        let judge =
-            copy.root.join(format!("target/debug/{}-judge{}", name(lesson), std::env::consts::EXE_SUFFIX));
+        let judge = Copy::program(&format!("{}-judge", name(lesson)));
         let input = |n: usize| {
             let arguments = ["input", "no program", &n.to_string()];
             let said = Command::new(&judge).args(arguments).output().expect("it was built");

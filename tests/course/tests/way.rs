@@ -426,8 +426,8 @@ mod programs {
 
     pub(super) fn next_and_the_book_are_started(copy: &Copy) {
         let program = || {
-            let mut program = Command::new(copy.root.join("target/debug/course"));
-            program.current_dir(&copy.root).env("CARGO_TARGET_DIR", copy.root.join("target"));
+            let mut program = Command::new(Copy::program("course"));
+            copy.within(&mut program);
             program
         };
 
