@@ -121,6 +121,11 @@ pub(crate) fn name_of(bytes: &[u8]) -> String {
 }
 
 impl Submission {
+    /// The one that a folder is.
+    pub(crate) fn at(folder: &Path) -> Self {
+        Self { name: "submission".into(), parts: vec![(folder.into(), String::new())] }
+    }
+
     /// Looks at what is there.
     pub(crate) fn files(&self) -> HandedIn {
         let mut files = Files::default();
