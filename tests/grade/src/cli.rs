@@ -1,7 +1,7 @@
 //! The command line.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use crate::class::{self, Options};
 use crate::report::Roster;
 use crate::walls::{NOT_BUILT, Terms, Walls};
-use crate::{kit, merge, proof};
+use crate::{kit, merge, pairs, proof};
 
 /// Grades what students wrote for the course's missions.
 #[derive(Parser)]
@@ -78,6 +78,31 @@ enum Command {
         #[arg(long, value_name = "FILE")]
         roster: Option<PathBuf>,
     },
+    /// Compare the texts of a class with each other and with the course's: who has handed in much the same?
+    ///
+    /// Renaming, other numbers, other comments and another layout hide nothing. The page REPORT/pairs.html has the passages
+    /// side by side; what they mean is for a person to judge. Nothing is compiled or run.
+    ///
+    /// The exit code is 3 if something could not be compared, and a person has to look at it.
+    Pairs {
+        /// The class.
+        dir: PathBuf,
+        /// The folder for the reports; made if need be.
+        #[arg(long, value_name = "REPORT")]
+        out: PathBuf,
+        /// Which lessons, as in 1-3,7; all of them if not given.
+        #[arg(long)]
+        lessons: Option<String>,
+        /// From which percentage on a pair is listed.
+        #[arg(long, value_name = "PERCENT", default_value_t = 50, value_parser = clap::value_parser!(u8).range(0..=100))]
+        least: u8,
+        /// How many pairs are listed, those with most in common.
+        #[arg(long, value_name = "N", default_value_t = 100)]
+        most: usize,
+        /// The course's folder, if not the one that this program was built in.
+        #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../.."), hide_default_value = true)]
+        course: PathBuf,
+    },
     /// Build walls around this process, and become a program.
     #[command(hide = true)]
     Wall {
@@ -109,6 +134,15 @@ pub(crate) fn main() -> ExitCode {
     }
 }
 
+/// The course's folder, and those of its lessons that a list names.
+fn course_and_lessons(course: &Path, list: Option<String>) -> anyhow::Result<(PathBuf, Vec<String>)> {
+    let course = course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
+    let all = tasks::lessons(&course).with_context(|| format!("{} is not the course", course.display()))?;
+    let lessons = list.map_or(Ok(all.clone()), |list| kit::lessons(&list, &all));
+    let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("--lessons: {why}"));
+    Ok((course, lessons.unwrap_or_else(|why| wrong(why).exit())))
+}
+
 /// The exit code where a person has to look at something.
 const LOOK: u8 = 3;
 
@@ -130,15 +164,9 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
             course,
             unsafe_no_sandbox,
         } => {
-            let course =
-                course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
+            let (course, lessons) = course_and_lessons(&course, lessons)?;
             let jobs =
                 jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
-            let all =
-                tasks::lessons(&course).with_context(|| format!("{} is not the course", course.display()))?;
-            let lessons = lessons.map_or(Ok(all.clone()), |list| kit::lessons(&list, &all));
-            let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("--lessons: {why}"));
-            let lessons = lessons.unwrap_or_else(|why| wrong(why).exit());
             if shard.1 > 1 && seed.is_none() {
                 let why = "--shard needs --seed: all parts of a class are graded with the same one";
                 Cli::command().error(ErrorKind::MissingRequiredArgument, why).exit();
@@ -161,6 +189,13 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
         Command::Merge { parts, out, roster } => {
             let roster = read(roster)?;
             (merge::merge(&parts, &out)?, out, roster)
+        }
+        Command::Pairs { dir, out, lessons, least, most, course } => {
+            let (course, lessons) = course_and_lessons(&course, lessons)?;
+            let least = f64::from(least) / 100.0;
+            let look =
+                pairs::report(&pairs::Options { class: dir, report: out, course, lessons, least, most })?;
+            return Ok(if look { ExitCode::from(LOOK) } else { ExitCode::SUCCESS });
         }
         Command::Wall { walls, command } => {
             let walls: Walls = serde_json::from_str(&walls)?;

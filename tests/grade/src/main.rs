@@ -14,6 +14,7 @@
 //! class        all submissions, the same ones once; resumes where it was stopped
 //! results      what is kept of each, and the marks
 //! merge        several reports into one
+//! pairs        who has handed in much the same as somebody else
 //! report       HTML for the class and each student, CSV, JUnit, Gradescope
 //! walls        what keeps a submission in; proof: that it does
 //! ```
@@ -32,6 +33,8 @@ mod judge;
 mod kit;
 #[cfg(target_os = "linux")]
 mod merge;
+#[cfg(target_os = "linux")]
+mod pairs;
 #[cfg(target_os = "linux")]
 mod process;
 #[cfg(target_os = "linux")]

@@ -8,7 +8,7 @@ mod numbers;
 mod roster;
 mod student;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use std::path::Path;
 
@@ -17,6 +17,7 @@ use serde::{Deserialize, Serialize};
 use crate::file;
 use crate::results::{Class, Judged, Outcome, Work};
 
+pub(crate) use csv::harmless;
 pub(crate) use roster::Roster;
 
 /// The page to open.

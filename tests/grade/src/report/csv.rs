@@ -36,7 +36,7 @@ pub(super) fn points(earned: Option<u32>) -> String {
 }
 
 /// A name that a spreadsheet does not take for a formula.
-pub(super) fn harmless(name: &str) -> String {
+pub(crate) fn harmless(name: &str) -> String {
     if name.starts_with(['=', '+', '-', '@']) { format!("'{name}") } else { name.into() }
 }
 

@@ -5,7 +5,9 @@
 #![cfg(target_os = "linux")]
 
 mod busy;
+mod pairs;
 mod shapes;
+mod shards;
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
