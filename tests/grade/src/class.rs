@@ -20,7 +20,7 @@ use crate::kit::{self, Kit};
 use crate::proof::{self, Wall};
 use crate::report::{self, Extras, Time};
 use crate::results::{Class, Graded, Lesson, Look, Outcome, Work};
-use crate::submission::{Source, Submission, Wanted};
+use crate::submission::{HandedOut, Source, Submission, Wanted};
 use crate::walls::Terms;
 use crate::{file, run, seed};
 
@@ -183,22 +183,15 @@ fn collect<'a>(
     options: &Options,
 ) -> anyhow::Result<Vec<HandedIn<'a>>> {
     let lessons = tasks::lessons(&options.course)?;
-    let read = |lesson: &str, file: &str| {
-        let path = options.course.join("lessons").join(lesson).join(file);
-        std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
-    };
-    let given = |kit: &Kit| -> anyhow::Result<_> {
-        let place = lessons.iter().position(|lesson| *lesson == kit.lesson).context("a lesson is gone")?;
-        Ok((place, read(&kit.lesson, "mission/src/lib.rs")?, read(&kit.lesson, "src/lib.rs")?))
-    };
-    let given: Vec<(usize, Vec<u8>, Vec<u8>)> = kits.iter().map(given).collect::<Result<_, _>>()?;
+    let handed_out = |kit: &Kit| HandedOut::read(&options.course, &lessons, &kit.lesson);
+    let handed_out: Vec<HandedOut> = kits.iter().map(handed_out).collect::<Result<_, _>>()?;
     let how = format!("{seed} {}", options.terms.closed);
     let mut all = Vec::new();
     for submission in submissions {
         let files = submission.files();
-        for (lesson, (place, starter, own)) in given.iter().enumerate() {
+        for (lesson, handed_out) in handed_out.iter().enumerate() {
             let alone = kits.len() == 1;
-            let wanted = Wanted { lessons: &lessons, lesson: *place, alone, starter, own };
+            let wanted = Wanted { lessons: &lessons, alone, handed_out };
             let source = unless_refused(files.source(&wanted));
             let key = match &source {
                 Source::Text(text) => file::digest([kits[lesson].digest.as_bytes(), how.as_bytes(), text]),

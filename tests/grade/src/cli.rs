@@ -11,7 +11,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::class::{self, Options};
 use crate::walls::{NOT_BUILT, Terms, Walls};
-use crate::{gradescope, kit, merge, proof, report, submission};
+use crate::{gradescope, kit, merge, pairs, proof, report, submission};
 
 /// Grades what students wrote for the course's missions.
 #[derive(Parser)]
@@ -99,6 +99,31 @@ enum Command {
         #[command(flatten)]
         how: gradescope::How,
         #[arg(long, default_value = COURSE)]
+        course: PathBuf,
+    },
+    /// Compare the texts of a class with each other and with the course's: who has handed in much the same?
+    ///
+    /// Renaming, other numbers, other comments and another layout hide nothing. The page REPORT/pairs.html has the passages
+    /// side by side; what they mean is for a person to judge. Nothing is compiled or run.
+    ///
+    /// The exit code is 3 if something could not be compared, and a person has to look at it.
+    Pairs {
+        /// The class.
+        dir: PathBuf,
+        /// The folder for the reports; made if need be.
+        #[arg(long, value_name = "REPORT")]
+        out: PathBuf,
+        /// Which lessons, as in 1-3,7; all of them if not given.
+        #[arg(long)]
+        lessons: Option<String>,
+        /// From which percentage on a pair is listed.
+        #[arg(long, value_name = "PERCENT", default_value_t = 50, value_parser = clap::value_parser!(u8).range(0..=100))]
+        least: u8,
+        /// How many pairs are listed, those with most in common.
+        #[arg(long, value_name = "N", default_value_t = 100)]
+        most: usize,
+        /// The course's folder, if not the one that this program was built in.
+        #[arg(long, default_value = COURSE, hide_default_value = true)]
         course: PathBuf,
     },
     /// Build walls around this process, and become a program.
@@ -198,6 +223,13 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
             let (course, lessons) = chosen(&course, Some(&lessons), "--lessons")?;
             return gradescope::autograde(&submission, &results, course, lessons, &how)
                 .map(|()| ExitCode::SUCCESS);
+        }
+        Command::Pairs { dir, out, lessons, least, most, course } => {
+            let (course, lessons) = chosen(&course, lessons.as_deref(), "--lessons")?;
+            let least = f64::from(least) / 100.0;
+            let look =
+                pairs::report(&pairs::Options { class: dir, report: out, course, lessons, least, most })?;
+            return Ok(if look { ExitCode::from(LOOK) } else { ExitCode::SUCCESS });
         }
         Command::Wall { walls, command } => {
             let walls: Walls = serde_json::from_str(&walls)?;

@@ -16,6 +16,7 @@
 //! rules        weights and deadlines; marks: what they make of the points
 //! merge        several reports into one
 //! gradescope   the package of its autograder, and what that does
+//! pairs        who has handed in much the same as somebody else
 //! report       HTML for the class and each student, CSV, JUnit, Gradescope
 //! walls        what keeps a submission in; proof: that it does
 //! ```
@@ -38,6 +39,8 @@ mod kit;
 mod marks;
 #[cfg(target_os = "linux")]
 mod merge;
+#[cfg(target_os = "linux")]
+mod pairs;
 #[cfg(target_os = "linux")]
 mod process;
 #[cfg(target_os = "linux")]

@@ -9,7 +9,7 @@ mod numbers;
 mod roster;
 mod student;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,8 @@ use crate::marks::{self, Marks};
 use crate::results::{Class, Judged, Outcome, Work};
 use crate::rules::{self, Rules};
 
-use roster::Roster;
+pub(crate) use csv::harmless;
+pub(crate) use roster::Roster;
 
 /// The page to open.
 pub(crate) const PAGE: &str = "index.html";

@@ -54,7 +54,7 @@ pub(super) fn points(earned: Option<u32>) -> String {
 
 /// A name that a spreadsheet does not take for a formula, be it behind white space that some leave out:
 /// <https://owasp.org/www-community/attacks/CSV_Injection>.
-pub(super) fn harmless(name: &str) -> String {
+pub(crate) fn harmless(name: &str) -> String {
     let formula = name.trim_start().starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠']);
     if formula || name.starts_with(['\t', '\r', '\n']) { format!("'{name}") } else { name.into() }
 }

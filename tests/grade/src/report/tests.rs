@@ -64,10 +64,10 @@ fn class() -> impl Strategy<Value = Class> {
 
 /// The texts of a page, the tags between which they stand, and what is wrong with it.
 #[derive(Default)]
-struct Page {
+pub(crate) struct Page {
     texts: RefCell<Vec<String>>,
     tags: RefCell<Vec<String>>,
-    errors: RefCell<Vec<String>>,
+    pub(crate) errors: RefCell<Vec<String>>,
 }
 
 impl TokenSink for Page {
@@ -95,7 +95,7 @@ impl TokenSink for Page {
     }
 }
 
-fn page(text: &str) -> Page {
+pub(crate) fn page(text: &str) -> Page {
     let input = BufferQueue::default();
     input.push_back(text.into());
     let tokenizer =

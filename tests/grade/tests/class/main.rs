@@ -7,7 +7,9 @@
 mod busy;
 mod gradescope;
 mod marks;
+mod pairs;
 mod shapes;
+mod shards;
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
