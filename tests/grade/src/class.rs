@@ -18,16 +18,16 @@ use crate::compile::{Compiled, compile};
 use crate::judge::{self, Asked};
 use crate::kit::{self, Kit};
 use crate::proof::{self, Wall};
-use crate::report::{self, Time};
+use crate::report::{self, Extras, Time};
 use crate::results::{Class, Graded, Lesson, Look, Outcome, Work};
-use crate::submission::{self, Source, Submission, Wanted};
+use crate::submission::{HandedOut, Source, Submission, Wanted};
 use crate::walls::Terms;
 use crate::{file, run, seed};
 
 /// What to grade, and how.
 pub(crate) struct Options {
     /// The class.
-    pub(crate) class: PathBuf,
+    pub(crate) submissions: Vec<Submission>,
     /// Where the reports go.
     pub(crate) report: PathBuf,
     /// The course.
@@ -44,6 +44,8 @@ pub(crate) struct Options {
     pub(crate) regrade: Vec<String>,
     /// Whether those are no longer wanted that are not right.
     pub(crate) regrade_failed: bool,
+    /// What else is written.
+    pub(crate) extras: Extras,
     /// On what terms they are compiled and run.
     pub(crate) terms: Terms,
 }
@@ -64,8 +66,7 @@ type PutOff = Mutex<BTreeMap<String, String>>;
 pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
     let started = Instant::now();
     let (shard, of) = options.shard;
-    let submissions = submission::all(&options.class)?;
-    let submissions: Vec<Submission> = submissions.into_iter().skip(shard - 1).step_by(of).collect();
+    let submissions: Vec<&Submission> = options.submissions.iter().skip(shard - 1).step_by(of).collect();
     let walls = prove(options.terms.closed)?;
     let work = std::path::absolute(options.report.join("work"))?;
     let (graded, scratch) = (work.join("graded"), work.join("scratch"));
@@ -114,7 +115,7 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
 
     let now = now - put_off.len();
     let (class, times) = gather(handed_in, &graded, &put_off, seed, options, walls, asked)?;
-    report::write(&class, times, &options.report)?;
+    report::write(&class, times, &options.extras, &options.report)?;
     std::fs::remove_dir_all(&scratch)?;
     println!(
         "{}{} submissions, {count} different texts: {now} graded now, {} kept from before; {:.1} s\n{}",
@@ -131,7 +132,7 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
 fn forget(handed_in: &[HandedIn], graded: &Path, options: &Options) -> anyhow::Result<()> {
     for name in &options.regrade {
         let there = handed_in.iter().any(|one| one.submission.name == *name);
-        ensure!(there, "--regrade {name}: {} holds no such submission", options.class.display());
+        ensure!(there, "--regrade {name}: the class holds no such submission");
     }
     for one in handed_in.iter().filter(|one| !one.key.is_empty()) {
         let wrong = |result: Graded| !result.is_right();
@@ -176,28 +177,21 @@ fn build(options: &Options, scratch: &Path) -> anyhow::Result<Vec<Kit>> {
 }
 
 fn collect<'a>(
-    submissions: &'a [Submission],
+    submissions: &[&'a Submission],
     kits: &[Kit],
     seed: u64,
     options: &Options,
 ) -> anyhow::Result<Vec<HandedIn<'a>>> {
     let lessons = tasks::lessons(&options.course)?;
-    let read = |lesson: &str, file: &str| {
-        let path = options.course.join("lessons").join(lesson).join(file);
-        std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
-    };
-    let given = |kit: &Kit| -> anyhow::Result<_> {
-        let place = lessons.iter().position(|lesson| *lesson == kit.lesson).context("a lesson is gone")?;
-        Ok((place, read(&kit.lesson, "mission/src/lib.rs")?, read(&kit.lesson, "src/lib.rs")?))
-    };
-    let given: Vec<(usize, Vec<u8>, Vec<u8>)> = kits.iter().map(given).collect::<Result<_, _>>()?;
+    let handed_out = |kit: &Kit| HandedOut::read(&options.course, &lessons, &kit.lesson);
+    let handed_out: Vec<HandedOut> = kits.iter().map(handed_out).collect::<Result<_, _>>()?;
     let how = format!("{seed} {}", options.terms.closed);
     let mut all = Vec::new();
     for submission in submissions {
         let files = submission.files();
-        for (lesson, (place, starter, own)) in given.iter().enumerate() {
+        for (lesson, handed_out) in handed_out.iter().enumerate() {
             let alone = kits.len() == 1;
-            let wanted = Wanted { lessons: &lessons, lesson: *place, alone, starter, own };
+            let wanted = Wanted { lessons: &lessons, alone, handed_out };
             let source = unless_refused(files.source(&wanted));
             let key = match &source {
                 Source::Text(text) => file::digest([kits[lesson].digest.as_bytes(), how.as_bytes(), text]),

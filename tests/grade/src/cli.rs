@@ -1,7 +1,7 @@
 //! The command line.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -10,9 +10,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::class::{self, Options};
-use crate::report::Roster;
 use crate::walls::{NOT_BUILT, Terms, Walls};
-use crate::{kit, merge, proof};
+use crate::{gradescope, kit, merge, pairs, proof, report, submission};
 
 /// Grades what students wrote for the course's missions.
 #[derive(Parser)]
@@ -56,11 +55,10 @@ enum Command {
         /// How many seconds a compiler or a program may take by the clock, when the machine is busy, before it is put off.
         #[arg(long, value_name = "SECONDS", default_value_t = 600)]
         patience: u64,
-        /// What Canvas (gradebook, Export) or Moodle (Download grading worksheet) gave: REPORT/import.csv is the same, filled in.
-        #[arg(long, value_name = "FILE")]
-        roster: Option<PathBuf>,
+        #[command(flatten)]
+        extras: report::Flags,
         /// The course's folder, if not the one that this program was built in.
-        #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/../.."), hide_default_value = true)]
+        #[arg(long, default_value = COURSE, hide_default_value = true)]
         course: PathBuf,
         /// Run what students wrote with this account's rights, at your own risk.
         #[arg(long)]
@@ -74,9 +72,59 @@ enum Command {
         /// The folder for the reports; made if need be.
         #[arg(long, value_name = "REPORT")]
         out: PathBuf,
-        /// What Canvas or Moodle gave: REPORT/import.csv is the same, filled in.
-        #[arg(long, value_name = "FILE")]
-        roster: Option<PathBuf>,
+        #[command(flatten)]
+        extras: report::Flags,
+    },
+    /// Build the package of an autograder for Gradescope.
+    Gradescope {
+        /// Which lessons, as in 1-3,7, or all.
+        lessons: String,
+        /// The zip file.
+        #[arg(long, value_name = "FILE", default_value = "autograder.zip")]
+        out: PathBuf,
+        #[command(flatten)]
+        how: gradescope::How,
+        /// The course's folder, if not the one that this program was built in.
+        #[arg(long, default_value = COURSE, hide_default_value = true)]
+        course: PathBuf,
+    },
+    /// Grade a submission in Gradescope's container.
+    #[command(hide = true)]
+    Autograde {
+        submission: PathBuf,
+        #[arg(long)]
+        results: PathBuf,
+        #[arg(long)]
+        lessons: String,
+        #[command(flatten)]
+        how: gradescope::How,
+        #[arg(long, default_value = COURSE)]
+        course: PathBuf,
+    },
+    /// Compare the texts of a class with each other and with the course's: who has handed in much the same?
+    ///
+    /// Renaming, other numbers, other comments and another layout hide nothing. The page REPORT/pairs.html has the passages
+    /// side by side; what they mean is for a person to judge. Nothing is compiled or run.
+    ///
+    /// The exit code is 3 if something could not be compared, and a person has to look at it.
+    Pairs {
+        /// The class.
+        dir: PathBuf,
+        /// The folder for the reports; made if need be.
+        #[arg(long, value_name = "REPORT")]
+        out: PathBuf,
+        /// Which lessons, as in 1-3,7; all of them if not given.
+        #[arg(long)]
+        lessons: Option<String>,
+        /// From which percentage on a pair is listed.
+        #[arg(long, value_name = "PERCENT", default_value_t = 50, value_parser = clap::value_parser!(u8).range(0..=100))]
+        least: u8,
+        /// How many pairs are listed, those with most in common.
+        #[arg(long, value_name = "N", default_value_t = 100)]
+        most: usize,
+        /// The course's folder, if not the one that this program was built in.
+        #[arg(long, default_value = COURSE, hide_default_value = true)]
+        course: PathBuf,
     },
     /// Build walls around this process, and become a program.
     #[command(hide = true)]
@@ -92,6 +140,9 @@ enum Command {
     #[command(hide = true)]
     Exhaust { what: String },
 }
+
+/// The course in which this program was built.
+const COURSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn shard(text: &str) -> Result<(usize, usize), String> {
     let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
@@ -109,13 +160,20 @@ pub(crate) fn main() -> ExitCode {
     }
 }
 
+/// A course's folder, and those of its lessons that a list names: all of them if there is none.
+fn chosen(course: &Path, list: Option<&str>, flag: &str) -> anyhow::Result<(PathBuf, Vec<String>)> {
+    let course = course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
+    let all = tasks::lessons(&course).with_context(|| format!("{} is not the course", course.display()))?;
+    let lessons = list.map_or(Ok(all.clone()), |list| kit::lessons(list, &all));
+    let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("{flag}: {why}"));
+    Ok((course, lessons.unwrap_or_else(|why| wrong(why).exit())))
+}
+
 /// The exit code where a person has to look at something.
 const LOOK: u8 = 3;
 
 fn run(command: Command) -> anyhow::Result<ExitCode> {
-    // A file that cannot be read is told before anything is graded.
-    let read = |path: Option<PathBuf>| path.map(|path| Roster::read(&path)).transpose();
-    let (class, out, roster) = match command {
+    let class = match command {
         Command::Class {
             dir,
             out,
@@ -126,27 +184,22 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
             regrade,
             regrade_failed,
             patience,
-            roster,
+            extras,
             course,
             unsafe_no_sandbox,
         } => {
-            let course =
-                course.canonicalize().with_context(|| format!("cannot read {}", course.display()))?;
+            let (course, lessons) = chosen(&course, lessons.as_deref(), "--lessons")?;
             let jobs =
                 jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
-            let all =
-                tasks::lessons(&course).with_context(|| format!("{} is not the course", course.display()))?;
-            let lessons = lessons.map_or(Ok(all.clone()), |list| kit::lessons(&list, &all));
-            let wrong = |why| Cli::command().error(ErrorKind::ValueValidation, format!("--lessons: {why}"));
-            let lessons = lessons.unwrap_or_else(|why| wrong(why).exit());
             if shard.1 > 1 && seed.is_none() {
                 let why = "--shard needs --seed: all parts of a class are graded with the same one";
                 Cli::command().error(ErrorKind::MissingRequiredArgument, why).exit();
             }
-            let roster = read(roster)?;
-            let class = class::grade(&Options {
-                class: dir,
-                report: out.clone(),
+            // A file that cannot be read is told before anything is graded.
+            let extras = extras.read(&course)?;
+            class::grade(&Options {
+                submissions: submission::all(&dir)?,
+                report: out,
                 course,
                 seed,
                 lessons,
@@ -154,13 +207,29 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
                 jobs,
                 regrade,
                 regrade_failed,
+                extras,
                 terms: Terms { closed: !unsafe_no_sandbox, patience: Duration::from_secs(patience) },
-            })?;
-            (class, out, roster)
+            })?
         }
-        Command::Merge { parts, out, roster } => {
-            let roster = read(roster)?;
-            (merge::merge(&parts, &out)?, out, roster)
+        Command::Merge { parts, out, extras } => {
+            merge::merge(&parts, &extras.read(Path::new(COURSE))?, &out)?
+        }
+        Command::Gradescope { lessons, out, how, course } => {
+            let list = Some(lessons.as_str()).filter(|list| *list != "all");
+            let (course, lessons) = chosen(&course, list, "LESSONS")?;
+            return gradescope::package(&course, &lessons, &how, &out).map(|()| ExitCode::SUCCESS);
+        }
+        Command::Autograde { submission, results, lessons, how, course } => {
+            let (course, lessons) = chosen(&course, Some(&lessons), "--lessons")?;
+            return gradescope::autograde(&submission, &results, course, lessons, &how)
+                .map(|()| ExitCode::SUCCESS);
+        }
+        Command::Pairs { dir, out, lessons, least, most, course } => {
+            let (course, lessons) = chosen(&course, lessons.as_deref(), "--lessons")?;
+            let least = f64::from(least) / 100.0;
+            let look =
+                pairs::report(&pairs::Options { class: dir, report: out, course, lessons, least, most })?;
+            return Ok(if look { ExitCode::from(LOOK) } else { ExitCode::SUCCESS });
         }
         Command::Wall { walls, command } => {
             let walls: Walls = serde_json::from_str(&walls)?;
@@ -169,6 +238,5 @@ fn run(command: Command) -> anyhow::Result<ExitCode> {
         Command::Try { folder } => return proof::attempt(&folder).map(|()| ExitCode::SUCCESS),
         Command::Exhaust { what } => return proof::exhaust(&what).map(|()| ExitCode::SUCCESS),
     };
-    roster.map_or(Ok(()), |roster| roster.write(&class, &out))?;
     Ok(if class.looks().is_empty() { ExitCode::SUCCESS } else { ExitCode::from(LOOK) })
 }

@@ -219,11 +219,13 @@ pub(crate) fn dependencies(folder: &Path) -> String {
     format!("dependency={}", folder.display())
 }
 
-fn package(lesson: &str) -> String {
+/// The package of a lesson's mission.
+pub(crate) fn package(lesson: &str) -> String {
     format!("my-{}", tasks::name(lesson))
 }
 
-fn tests(lesson: &str) -> String {
+/// The package of its tests, which has its judge.
+pub(crate) fn tests(lesson: &str) -> String {
     format!("{}-tests", tasks::name(lesson))
 }
 

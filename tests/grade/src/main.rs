@@ -13,7 +13,10 @@
 //! judge        what the lesson's judge says of its answers
 //! class        all submissions, the same ones once; resumes where it was stopped
 //! results      what is kept of each, and the marks
+//! rules        weights and deadlines; marks: what they make of the points
 //! merge        several reports into one
+//! gradescope   the package of its autograder, and what that does
+//! pairs        who has handed in much the same as somebody else
 //! report       HTML for the class and each student, CSV, JUnit, Gradescope
 //! walls        what keeps a submission in; proof: that it does
 //! ```
@@ -27,11 +30,17 @@ mod compile;
 #[cfg(target_os = "linux")]
 mod file;
 #[cfg(target_os = "linux")]
+mod gradescope;
+#[cfg(target_os = "linux")]
 mod judge;
 #[cfg(target_os = "linux")]
 mod kit;
 #[cfg(target_os = "linux")]
+mod marks;
+#[cfg(target_os = "linux")]
 mod merge;
+#[cfg(target_os = "linux")]
+mod pairs;
 #[cfg(target_os = "linux")]
 mod process;
 #[cfg(target_os = "linux")]
@@ -40,6 +49,8 @@ mod proof;
 mod report;
 #[cfg(target_os = "linux")]
 mod results;
+#[cfg(target_os = "linux")]
+mod rules;
 #[cfg(target_os = "linux")]
 mod run;
 #[cfg(target_os = "linux")]

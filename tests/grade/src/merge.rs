@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 
-use crate::report;
+use crate::report::{self, Extras};
 use crate::results::Class;
 
 /// Puts the reports of several folders together in another one. Returns the class.
-pub(crate) fn merge(parts: &[PathBuf], into: &Path) -> anyhow::Result<Class> {
+pub(crate) fn merge(parts: &[PathBuf], extras: &Extras, into: &Path) -> anyhow::Result<Class> {
     let (first, others) = parts.split_first().context("there is nothing to merge")?;
     let mut class = Class::read(first)?;
     let mut times = report::times(first)?;
@@ -38,7 +38,7 @@ pub(crate) fn merge(parts: &[PathBuf], into: &Path) -> anyhow::Result<Class> {
             time
         }));
     }
-    report::write(&class, times, into)?;
+    report::write(&class, times, extras, into)?;
     let page = into.join(report::PAGE);
     println!("{}{} submissions\n{}", report::looks(&class), class.submissions.len(), page.display());
     Ok(class)

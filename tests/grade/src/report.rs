@@ -1,22 +1,27 @@
 //! What is written of a class.
 
+mod anonymous;
 mod csv;
-mod gradescope;
+pub(crate) mod gradescope;
 mod html;
 mod junit;
 mod numbers;
 mod roster;
 mod student;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args;
 use serde::{Deserialize, Serialize};
 
 use crate::file;
+use crate::marks::{self, Marks};
 use crate::results::{Class, Judged, Outcome, Work};
+use crate::rules::{self, Rules};
 
+pub(crate) use csv::harmless;
 pub(crate) use roster::Roster;
 
 /// The page to open.
@@ -35,24 +40,66 @@ pub(crate) struct Time {
     pub(crate) running: f64,
 }
 
+/// What else is written than points and what was found, if it is wished for.
+#[derive(Default)]
+pub(crate) struct Extras {
+    roster: Option<Roster>,
+    rules: Option<Rules>,
+    anonymous: bool,
+}
+
+/// The flags that ask for it.
+#[derive(Args)]
+#[group(skip)]
+pub(crate) struct Flags {
+    /// What Canvas (gradebook, Export) or Moodle (Download grading worksheet) gave: REPORT/import.csv is the same, filled in.
+    #[arg(long, value_name = "FILE")]
+    roster: Option<PathBuf>,
+    #[command(flatten)]
+    rules: rules::Flags,
+    /// Write reports without names, too, into REPORT/anonymous.
+    #[arg(long)]
+    anonymous: bool,
+}
+
+impl Flags {
+    /// Reads the files.
+    pub(crate) fn read(&self, course: &Path) -> anyhow::Result<Extras> {
+        let roster = self.roster.as_deref().map(Roster::read).transpose()?;
+        Ok(Extras { roster, rules: self.rules.read(course)?, anonymous: self.anonymous })
+    }
+}
+
 /// Writes all reports into a folder. Times aside, equal results give equal files.
-pub(crate) fn write(class: &Class, mut times: Vec<Time>, folder: &Path) -> anyhow::Result<()> {
+pub(crate) fn write(
+    class: &Class,
+    mut times: Vec<Time>,
+    extras: &Extras,
+    folder: &Path,
+) -> anyhow::Result<()> {
+    let marks = extras.rules.as_ref().map(|rules| Marks::new(class, rules)).transpose()?;
+    let marks = marks.as_ref();
     class.write(folder)?;
     times.sort_by(|a, b| (&a.submission, &a.lesson).cmp(&(&b.submission, &b.lesson)));
     file::write(&folder.join(TIMES), &csv::times(&times)?)?;
-    file::write(&folder.join("grades.csv"), &csv::grades(class)?)?;
-    file::write(&folder.join("junit.xml"), junit::report(class)?.as_bytes())?;
+    file::write(&folder.join("grades.csv"), &csv::grades(class, marks)?)?;
+    file::write(&folder.join("junit.xml"), junit::report(class, &times)?.as_bytes())?;
     for (name, works) in &class.submissions {
         let path = folder.join("gradescope").join(name).join("results.json");
-        match gradescope::results(class, works)? {
+        match gradescope::results(class, works, gradescope::Visibility::Visible)? {
             Some(results) => file::write(&path, &results)?,
             // What was known is not so any more.
             None if path.exists() => std::fs::remove_file(path)?,
             None => (),
         }
-        file::write(&folder.join(student::file(name)), student::page(class, name, works)?.as_bytes())?;
+        file::write(&folder.join(student::file(name)), student::page(class, name, works, marks)?.as_bytes())?;
     }
-    file::write(&folder.join(PAGE), html::page(class)?.as_bytes())
+    file::write(&folder.join(PAGE), html::page(class, marks)?.as_bytes())?;
+    if extras.anonymous {
+        let others = extras.roster.as_ref().map(Roster::identities).unwrap_or_default();
+        anonymous::write(class, marks, &others, folder)?;
+    }
+    extras.roster.as_ref().map_or(Ok(()), |roster| roster.write(class, marks, folder))
 }
 
 /// What a person has to look at, a line each; nothing if there is nothing.
@@ -73,6 +120,11 @@ const TIMES: &str = "times.csv";
 /// Points to be shown; a dash where nothing is graded.
 fn points(earned: Option<u32>) -> String {
     earned.map_or_else(|| "–".into(), |points| points.to_string())
+}
+
+/// What counts, to be shown; a dash where nothing is graded.
+fn counted(hundredths: Option<u64>) -> String {
+    hundredths.map_or_else(|| "–".into(), marks::decimal)
 }
 
 /// Why a work was not run, and what was said; nothing if it was.

@@ -30,7 +30,8 @@ pub(crate) fn of(report: &Path, asked: Option<u64>) -> anyhow::Result<u64> {
     Ok(seed)
 }
 
-fn random() -> anyhow::Result<u64> {
+/// A new one.
+pub(crate) fn random() -> anyhow::Result<u64> {
     let mut bytes = [0; 8];
     getrandom(&mut bytes, GetRandomFlags::empty()).context("the system gives no random number")?;
     Ok(u64::from_le_bytes(bytes))

@@ -47,14 +47,32 @@ pub(crate) enum Source {
 pub(crate) struct Wanted<'a> {
     /// All lessons of the course.
     pub(crate) lessons: &'a [String],
-    /// Which of them is wanted.
-    pub(crate) lesson: usize,
-    /// Whether no other one is graded, so that a file need not say of which it is.
+    /// Whether no other one is wanted, so that a file need not say of which it is.
     pub(crate) alone: bool,
-    /// The mission's file as it was handed out.
-    pub(crate) starter: &'a [u8],
+    /// What students were given for it.
+    pub(crate) handed_out: &'a HandedOut,
+}
+
+/// What students were given for a lesson.
+pub(crate) struct HandedOut {
+    /// Which of all lessons it is.
+    lesson: usize,
+    /// The mission's file.
+    pub(crate) starter: Vec<u8>,
     /// The lesson's own file.
-    pub(crate) own: &'a [u8],
+    own: Vec<u8>,
+}
+
+impl HandedOut {
+    /// Reads what the course has of one of its lessons, as in `01-lines`.
+    pub(crate) fn read(course: &Path, lessons: &[String], lesson: &str) -> anyhow::Result<Self> {
+        let read = |file: &str| {
+            let path = course.join("lessons").join(lesson).join(file);
+            std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
+        };
+        let place = lessons.iter().position(|other| other == lesson).context("a lesson is gone")?;
+        Ok(Self { lesson: place, starter: read("mission/src/lib.rs")?, own: read("src/lib.rs")? })
+    }
 }
 
 /// The submissions of a class, by name: its folders, its zip files, and what Moodle and Canvas have named.
@@ -121,6 +139,11 @@ pub(crate) fn name_of(bytes: &[u8]) -> String {
 }
 
 impl Submission {
+    /// The one that a folder is.
+    pub(crate) fn at(folder: &Path) -> Self {
+        Self { name: "submission".into(), parts: vec![(folder.into(), String::new())] }
+    }
+
     /// Looks at what is there.
     pub(crate) fn files(&self) -> HandedIn {
         let mut files = Files::default();
@@ -152,7 +175,7 @@ impl HandedIn {
         let at = |wanted: &dyn Fn(Place) -> bool| -> Vec<&Entry> {
             placed.iter().filter(|(_, place)| wanted(*place)).map(|(entry, _)| *entry).collect()
         };
-        let lesson = wanted.lesson;
+        let lesson = wanted.handed_out.lesson;
         let name = &wanted.lessons[lesson];
         let missions =
             at(&|place| place == Place::Mission(lesson) || wanted.alone && place == Place::Unnamed);
@@ -212,14 +235,15 @@ fn choose(missions: &[&Entry], wanted: &Wanted) -> Result<Option<Vec<u8>>, Look>
         }
     }
     // What was handed out counts where there is nothing else.
-    for given in [wanted.own, wanted.starter] {
+    let HandedOut { starter, own, .. } = wanted.handed_out;
+    for given in [own, starter] {
         if found.len() > 1 {
             found.retain(|(_, text)| !same(text, given));
         }
     }
     match found.as_slice() {
         [] => Ok(None),
-        [(path, text)] if same(text, wanted.own) => {
+        [(path, text)] if same(text, own) => {
             Err(look(path, "it is the lesson’s own file, as it was handed out", "ask for the mission’s file"))
         }
         [(_, text)] => Ok(Some(text.clone())),

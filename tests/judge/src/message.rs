@@ -7,11 +7,17 @@ pub const LONGEST: usize = 2 << 10;
 /// other control characters, become U+FFFD.
 #[must_use]
 pub fn cut(said: &str) -> String {
-    let kept = &said[..said.floor_char_boundary(LONGEST)];
+    cut_to(said, LONGEST)
+}
+
+/// The same with another bound, in bytes.
+#[must_use]
+pub fn cut_to(said: &str, longest: usize) -> String {
+    let kept = &said[..said.floor_char_boundary(longest)];
     let plain: String = kept.chars().map(plain).collect();
-    let whole = kept.len() == said.len() && plain.len() <= LONGEST;
+    let whole = kept.len() == said.len() && plain.len() <= longest;
     let note = if whole { "" } else { "… (the rest is not shown)" };
-    format!("{}{note}", &plain[..plain.floor_char_boundary(LONGEST)])
+    format!("{}{note}", &plain[..plain.floor_char_boundary(longest)])
 }
 
 /// A character that every report can hold (Extensible Markup Language 1.0, 2.2: Char).

@@ -5,11 +5,12 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 
 use super::Time;
+use crate::marks::{self, Marks, decimal};
 use crate::results::{Class, total};
 
-/// A row for each submission: points and state of each lesson, points of each check, the sum. Where something is not
-/// graded, the points and the sum are left empty: they are not 0.
-pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
+/// A row for each submission: points and state of each lesson, points of each check, the sum; and, where there are rules,
+/// what counts. Where something is not graded, the points and the sum are left empty: they are not 0.
+pub(super) fn grades(class: &Class, marks: Option<&Marks>) -> anyhow::Result<Vec<u8>> {
     // The mark by which Excel knows UTF-8.
     let mut table = csv::Writer::from_writer("\u{feff}".as_bytes().to_vec());
     let mut head = vec!["submission".to_string()];
@@ -17,7 +18,15 @@ pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
         head.extend([lesson.name.clone(), format!("{} state", lesson.name)]);
         head.extend(lesson.checks.iter().map(|check| format!("{} {}", lesson.name, check.name)));
     }
-    table.write_record(head.iter().map(String::as_str).chain(["total", "of"]))?;
+    head.extend(["total", "of"].map(String::from));
+    if marks.is_some() {
+        for lesson in &class.lessons {
+            let columns = ["days late", "free days", "counted"];
+            head.extend(columns.map(|column| format!("{} {column}", lesson.name)));
+        }
+        head.extend(["counted total", "counted of"].map(String::from));
+    }
+    table.write_record(&head)?;
     for (name, works) in &class.submissions {
         let mut row = vec![harmless(name)];
         for (work, lesson) in works.iter().zip(&class.lessons) {
@@ -26,6 +35,14 @@ pub(super) fn grades(class: &Class) -> anyhow::Result<Vec<u8>> {
         }
         row.push(points(total(works)));
         row.push(class.points().to_string());
+        if let Some(marks) = marks {
+            let own = &marks.students[name];
+            let counted = |hundredths: Option<u64>| hundredths.map(decimal).unwrap_or_default();
+            for mark in own {
+                row.extend([mark.days.to_string(), mark.free.to_string(), counted(mark.counted)]);
+            }
+            row.extend([counted(marks::total(own)), decimal(marks.of)]);
+        }
         table.write_record(row)?;
     }
     table.into_inner().map_err(|error| anyhow!("{error}"))
@@ -35,9 +52,11 @@ pub(super) fn points(earned: Option<u32>) -> String {
     earned.map(|points| points.to_string()).unwrap_or_default()
 }
 
-/// A name that a spreadsheet does not take for a formula.
-pub(super) fn harmless(name: &str) -> String {
-    if name.starts_with(['=', '+', '-', '@']) { format!("'{name}") } else { name.into() }
+/// A name that a spreadsheet does not take for a formula, be it behind white space that some leave out:
+/// <https://owasp.org/www-community/attacks/CSV_Injection>.
+pub(crate) fn harmless(name: &str) -> String {
+    let formula = name.trim_start().starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠']);
+    if formula || name.starts_with(['\t', '\r', '\n']) { format!("'{name}") } else { name.into() }
 }
 
 /// A row for each text that was graded.
@@ -53,4 +72,19 @@ pub(super) fn read_times(path: &Path) -> anyhow::Result<Vec<Time>> {
         csv::Reader::from_path(path).with_context(|| format!("cannot read {}", path.display()))?;
     let rows: Result<Vec<Time>, csv::Error> = table.deserialize().collect();
     rows.with_context(|| format!("{} is not of this grader", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_cell_is_a_formula() {
+        for text in ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1", " =1", "＝1", "\tann"] {
+            assert_eq!(harmless(text), format!("'{text}"), "{text:?}");
+        }
+        for text in ["ann", "ann=1", "    Points Possible", "", "'=1"] {
+            assert_eq!(harmless(text), text);
+        }
+    }
 }

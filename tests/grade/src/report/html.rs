@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use askama::Template;
 
 use super::numbers::{self, Count};
-use super::{points, student};
+use super::{counted, points, student};
+use crate::marks::{self, Marks, decimal};
 use crate::proof::Wall;
 use crate::results::{Class, Lesson, Look, total};
 
@@ -20,6 +21,8 @@ struct Page<'a> {
     looks: Vec<(&'a str, String, &'a Look)>,
     students: Vec<Student<'a>>,
     points: u32,
+    /// The most that can count; nothing where there are no rules.
+    counted_of: String,
     /// How many are graded; the numbers are of these.
     graded: usize,
     mean: String,
@@ -37,6 +40,8 @@ struct Student<'a> {
     works: Vec<Part<'a>>,
     /// Points, or a dash.
     earned: String,
+    /// What counts, where there are rules.
+    counted: Option<String>,
     /// All states, for the filter.
     states: String,
 }
@@ -50,7 +55,7 @@ struct Part<'a> {
 }
 
 /// The page of a class.
-pub(super) fn page(class: &Class) -> anyhow::Result<String> {
+pub(super) fn page(class: &Class, marks: Option<&Marks>) -> anyhow::Result<String> {
     let mut texts: BTreeMap<(usize, &str), Vec<(&str, String)>> = BTreeMap::new();
     let mut students = Vec::new();
     for (name, works) in &class.submissions {
@@ -66,7 +71,8 @@ pub(super) fn page(class: &Class) -> anyhow::Result<String> {
         let works_shown: Vec<Part> = works.iter().map(part).collect();
         let states = works_shown.iter().map(|part| part.class.as_str()).collect::<Vec<_>>().join(" ");
         let earned = points(total(works));
-        students.push(Student { name, page, works: works_shown, earned, states });
+        let counted = marks.map(|marks| counted(marks::total(&marks.students[name])));
+        students.push(Student { name, page, works: works_shown, earned, counted, states });
     }
     let several = texts.into_iter().filter(|(_, students)| students.len() > 1);
     let same =
@@ -78,6 +84,7 @@ pub(super) fn page(class: &Class) -> anyhow::Result<String> {
         looks: class.looks(),
         students,
         points: class.points(),
+        counted_of: marks.map(|marks| decimal(marks.of)).unwrap_or_default(),
         graded: totals.len(),
         mean: numbers::mean(&totals),
         median: numbers::median(&totals),

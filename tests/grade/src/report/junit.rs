@@ -1,16 +1,29 @@
 //! `JUnit`'s XML, which forges show as test results: a suite for each submission and lesson, a case for each check.
 
+use std::collections::BTreeMap;
+use std::time::Duration;
+
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
-use super::{lines, not_run};
+use super::{Time, lines, not_run};
 use crate::results::{Check, Class, Lesson, Outcome, Work};
 
-pub(super) fn report(class: &Class) -> anyhow::Result<String> {
+pub(super) fn report(class: &Class, times: &[Time]) -> anyhow::Result<String> {
+    let seconds: BTreeMap<(&str, &str), f64> = (times.iter())
+        .map(|time| ((&*time.submission, &*time.lesson), time.compiling + time.running))
+        .collect();
     let mut report = Report::new("grade");
     for (name, works) in &class.submissions {
         for (work, lesson) in works.iter().zip(&class.lessons) {
             let mut suite = TestSuite::new(format!("{name}: {}", lesson.name));
-            suite.add_test_cases(cases(work, lesson));
+            let seconds = seconds.get(&(name, &*lesson.name)).copied().unwrap_or(0.0);
+            suite.set_time(Duration::from_secs_f64(seconds));
+            // A program does all checks in one go: each has its share of the time.
+            let share = Duration::from_secs_f64(seconds / lesson.checks.len().max(1) as f64);
+            suite.add_test_cases(cases(work, lesson).into_iter().map(|mut case| {
+                case.set_classname(format!("{}.{name}", lesson.name)).set_time(share);
+                case
+            }));
             report.add_test_suite(suite);
         }
     }

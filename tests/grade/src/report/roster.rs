@@ -9,7 +9,21 @@ use csv::{ReaderBuilder, StringRecord, Writer};
 
 use super::csv::{harmless, points};
 use crate::file;
+use crate::marks::{self, Marks, decimal};
 use crate::results::{Class, total};
+
+/// The columns that say who somebody is, of Canvas and of Moodle.
+const IDENTITIES: [&str; 9] = [
+    "Student",
+    "ID",
+    "SIS User ID",
+    "SIS Login ID",
+    "Identifier",
+    "Full name",
+    "Email address",
+    "ID number",
+    "Username",
+];
 
 /// The columns that Canvas wants back.
 const CANVAS: [&str; 5] = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"];
@@ -58,8 +72,19 @@ impl Roster {
         Ok(Self { head, rows, system })
     }
 
+    /// What its students are called.
+    pub(super) fn identities(&self) -> Vec<String> {
+        let columns: Vec<usize> = IDENTITIES
+            .iter()
+            .filter_map(|name| self.head.iter().position(|own| own.trim() == *name))
+            .collect();
+        let of =
+            |row: &StringRecord| columns.iter().map(|n| cell(row, *n).trim().to_string()).collect::<Vec<_>>();
+        self.rows.iter().flat_map(of).collect()
+    }
+
     /// The file to give back. Who is not graded, or not in the class, gets no points there: what the system has stays.
-    fn filled(&self, class: &Class) -> anyhow::Result<Vec<u8>> {
+    fn filled(&self, class: &Class, marks: Option<&Marks>) -> anyhow::Result<Vec<u8>> {
         let mut table = Writer::from_writer(Vec::new());
         match &self.system {
             System::Canvas(id, back) => {
@@ -69,11 +94,13 @@ impl Roster {
                 table.write_record(cells(&self.head).into_iter().chain(names))?;
                 for row in &self.rows {
                     let worth = cell(row, 0).trim().eq_ignore_ascii_case("Points Possible");
-                    let works = works(class, cell(row, *id).trim());
-                    let of = |n: usize| match works {
-                        _ if worth => class.lessons[n].points().to_string(),
-                        Some(works) => points(works[n].earned()),
-                        None => String::new(),
+                    let found = works(class, cell(row, *id).trim());
+                    let of = |n: usize| match (found, marks) {
+                        (_, None) if worth => class.lessons[n].points().to_string(),
+                        (_, Some(marks)) if worth => decimal(marks.of_lessons[n]),
+                        (Some((_, works)), None) => points(works[n].earned()),
+                        (Some((name, _)), Some(marks)) => counted(marks.students[name][n].counted),
+                        (None, _) => String::new(),
                     };
                     let cells = cells(row).iter().map(|text| harmless(text)).collect::<Vec<_>>();
                     table.write_record(cells.into_iter().chain((0..class.lessons.len()).map(of)))?;
@@ -83,9 +110,12 @@ impl Roster {
                 table.write_record(&self.head)?;
                 for row in &self.rows {
                     let number = cell(row, *id).trim_start_matches("Participant").trim();
-                    let earned = works(class, number).and_then(|works| total(works));
-                    let fill = |(n, text): (usize, &str)| match earned {
-                        Some(earned) if n == *grade => earned.to_string(),
+                    let earned = works(class, number).map(|(name, works)| match marks {
+                        Some(marks) => counted(marks::total(&marks.students[name])),
+                        None => points(total(works)),
+                    });
+                    let fill = |(n, text): (usize, &str)| match &earned {
+                        Some(earned) if n == *grade && !earned.is_empty() => earned.clone(),
                         _ => harmless(text),
                     };
                     table.write_record(row.iter().enumerate().map(fill))?;
@@ -99,12 +129,12 @@ impl Roster {
     ///
     /// # Errors
     /// Where no submission is one of the roster's.
-    pub(crate) fn write(&self, class: &Class, folder: &Path) -> anyhow::Result<()> {
+    pub(super) fn write(&self, class: &Class, marks: Option<&Marks>, folder: &Path) -> anyhow::Result<()> {
         let (System::Canvas(id, _) | System::Moodle(id, _)) = &self.system;
         let number = |row: &StringRecord| cell(row, *id).trim_start_matches("Participant").trim().to_string();
         let found = self.rows.iter().any(|row| works(class, &number(row)).is_some());
         ensure!(found, "no submission’s name ends with a number of the roster, as in smithann_1234");
-        file::write(&folder.join("import.csv"), &self.filled(class)?)
+        file::write(&folder.join("import.csv"), &self.filled(class, marks)?)
     }
 }
 
@@ -112,10 +142,15 @@ fn cell(row: &StringRecord, column: usize) -> &str {
     row.get(column).unwrap_or_default()
 }
 
-/// What the student of a number handed in.
-fn works<'a>(class: &'a Class, number: &str) -> Option<&'a Vec<crate::results::Work>> {
+/// What counts, for a cell; nothing while it is not graded.
+fn counted(hundredths: Option<u64>) -> String {
+    hundredths.map(decimal).unwrap_or_default()
+}
+
+/// The submission of a number's student, and what was handed in.
+fn works<'a>(class: &'a Class, number: &str) -> Option<(&'a String, &'a Vec<crate::results::Work>)> {
     let own = |name: &str| name.rsplit_once('_').is_some_and(|(_, own)| own == number);
-    class.submissions.iter().find(|(name, _)| !number.is_empty() && own(name)).map(|(_, works)| works)
+    class.submissions.iter().find(|(name, _)| !number.is_empty() && own(name))
 }
 
 #[cfg(test)]
@@ -140,7 +175,7 @@ mod tests {
     }
 
     fn filled(text: &str) -> String {
-        String::from_utf8(Roster::parse(text).unwrap().filled(&class()).unwrap()).unwrap()
+        String::from_utf8(Roster::parse(text).unwrap().filled(&class(), None).unwrap()).unwrap()
     }
 
     #[test]
@@ -165,7 +200,7 @@ mod tests {
     fn other_tables_are_refused() {
         assert!(Roster::parse("Name,Points\nAnn,1\n").is_err());
         let folder = tempfile::tempdir().unwrap();
-        let write = |text| Roster::parse(text).unwrap().write(&class(), folder.path());
+        let write = |text| Roster::parse(text).unwrap().write(&class(), None, folder.path());
         assert!(write("Student,ID\nAnn,7\n").is_err() && !folder.path().join("import.csv").exists());
         assert!(write("ID\n101\n").is_ok() && folder.path().join("import.csv").exists());
     }

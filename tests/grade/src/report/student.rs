@@ -3,7 +3,8 @@
 
 use askama::Template;
 
-use super::{lines, not_run, points};
+use super::{counted, lines, not_run, points};
+use crate::marks::{self, Mark, Marks, decimal};
 use crate::results::{Check, Class, Judged, Lesson, Outcome, Pictures, Work, total};
 
 /// The page as `templates/student.html` lays it out.
@@ -14,6 +15,8 @@ struct Page<'a> {
     works: Vec<Part<'a>>,
     earned: String,
     points: u32,
+    /// What counts, and of how much, where there are rules.
+    counted: Option<[String; 2]>,
 }
 
 struct Part<'a> {
@@ -27,6 +30,8 @@ struct Part<'a> {
     not_run: Option<(&'a str, String)>,
     checks: Vec<Row<'a>>,
     printed: &'a str,
+    /// What counts of it, and why, where there are rules.
+    counted: Option<String>,
 }
 
 struct Row<'a> {
@@ -39,10 +44,36 @@ struct Row<'a> {
 }
 
 /// The page of a student.
-pub(super) fn page(class: &Class, name: &str, works: &[Work]) -> anyhow::Result<String> {
-    let earned = points(total(works));
-    let works = works.iter().zip(&class.lessons).map(|(work, lesson)| part(work, lesson)).collect();
-    Ok(Page { name, works, earned, points: class.points() }.render()?)
+pub(super) fn page(
+    class: &Class,
+    name: &str,
+    works: &[Work],
+    marks: Option<&Marks>,
+) -> anyhow::Result<String> {
+    let own = marks.map(|marks| marks.students[name].as_slice());
+    let counted = |marks: &Marks| [counted(marks::total(&marks.students[name])), decimal(marks.of)];
+    let page = Page {
+        name,
+        earned: points(total(works)),
+        points: class.points(),
+        counted: marks.map(counted),
+        works: (works.iter().zip(&class.lessons).enumerate())
+            .map(|(n, (work, lesson))| part(work, lesson, own.map(|own| &own[n])))
+            .collect(),
+    };
+    Ok(page.render()?)
+}
+
+/// In words, what counts of a lesson.
+fn why(mark: &Mark) -> String {
+    let days = |days: u32| if days == 1 { "1 day".to_string() } else { format!("{days} days") };
+    let late = match mark {
+        Mark { days: 0, .. } => String::new(),
+        Mark { accepted: false, .. } => format!(", {} late, which is too late", days(mark.days)),
+        Mark { free: 0, .. } => format!(", {} late", days(mark.days)),
+        _ => format!(", {} late, of which {} free", days(mark.days), mark.free),
+    };
+    format!("counts {} of {}{late}", counted(mark.counted), decimal(mark.of))
 }
 
 /// The page's file, in the folder of the reports.
@@ -60,7 +91,7 @@ pub(super) fn link(name: &str) -> String {
     file(name).bytes().map(encode).collect()
 }
 
-fn part<'a>(work: &'a Work, lesson: &'a Lesson) -> Part<'a> {
+fn part<'a>(work: &'a Work, lesson: &'a Lesson, mark: Option<&Mark>) -> Part<'a> {
     let (judged, printed) = match &work.outcome {
         Outcome::Ran { checks, printed } => (checks.as_slice(), printed.trim()),
         _ => (&[][..], ""),
@@ -81,6 +112,7 @@ fn part<'a>(work: &'a Work, lesson: &'a Lesson) -> Part<'a> {
         not_run: not_run(work),
         checks: judged.iter().zip(&lesson.checks).map(row).collect(),
         printed,
+        counted: mark.map(why),
     }
 }
 

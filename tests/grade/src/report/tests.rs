@@ -9,7 +9,7 @@ use judge::message;
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 
-use super::{PAGE, write};
+use super::{Extras, PAGE, write};
 use crate::results::{Check, Class, Judged, Lesson, Look, Outcome, Work, Wrong, total};
 use crate::submission::name_of;
 
@@ -64,10 +64,10 @@ fn class() -> impl Strategy<Value = Class> {
 
 /// The texts of a page, the tags between which they stand, and what is wrong with it.
 #[derive(Default)]
-struct Page {
+pub(crate) struct Page {
     texts: RefCell<Vec<String>>,
     tags: RefCell<Vec<String>>,
-    errors: RefCell<Vec<String>>,
+    pub(crate) errors: RefCell<Vec<String>>,
 }
 
 impl TokenSink for Page {
@@ -95,7 +95,7 @@ impl TokenSink for Page {
     }
 }
 
-fn page(text: &str) -> Page {
+pub(crate) fn page(text: &str) -> Page {
     let input = BufferQueue::default();
     input.push_back(text.into());
     let tokenizer =
@@ -112,7 +112,7 @@ proptest! {
     fn all_reports_are_read_again(class in class()) {
         let folder = tempfile::tempdir().unwrap();
         let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
-        write(&class, vec![], folder.path()).unwrap();
+        write(&class, vec![], &Extras::default(), folder.path()).unwrap();
         prop_assert_eq!(&Class::read(folder.path()).unwrap(), &class);
 
         let grades = read("grades.csv");
@@ -156,4 +156,26 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn the_page_of_a_large_class_is_small() {
+    let check = |n: usize| Check { name: format!("check {n}"), asks: "what".into(), points: 1 };
+    let lesson =
+        |n: usize| Lesson { name: format!("{n:02}-perspective"), checks: (0..10).map(check).collect() };
+    let judged = |n: usize| {
+        let findings = vec!["12 pixels are missing, the first at (3, 4)".repeat(20)];
+        let told = vec![Wrong { input: "an input".into(), findings }];
+        let earned = u32::from(n.is_multiple_of(3));
+        Judged { earned, cause: None, inputs: 9, wrong: 1 - earned as usize, told, pictures: None }
+    };
+    let work = |n: usize| {
+        let checks = (0..10).map(|check| judged(n + check)).collect();
+        Work { text: format!("{n}"), outcome: Outcome::Ran { checks, printed: "debug".repeat(400) } }
+    };
+    let works = |n: usize| (1..=17).map(|lesson| work(100 * n + lesson)).collect();
+    let submissions = (0..150).map(|n| (format!("a student with a long name {n}"), works(n))).collect();
+    let class = Class { seed: 2, lessons: (1..=17).map(lesson).collect(), walls: vec![], submissions };
+    let size = super::html::page(&class, None).unwrap().len();
+    assert!(size < 400_000, "{size} bytes");
 }

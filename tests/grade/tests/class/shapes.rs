@@ -11,13 +11,13 @@ use zip::{CompressionMethod, ZipWriter};
 
 use crate::{COURSE, FULL, LOOK, grade, grader, ran, said};
 
-fn write(path: &Path, text: &str) {
+pub(crate) fn write(path: &Path, text: &str) {
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     fs::write(path, text).unwrap();
 }
 
 /// A zip file of these names and texts.
-fn zip(path: &Path, files: &[(&str, &str)]) {
+pub(crate) fn zip(path: &Path, files: &[(&str, &str)]) {
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     let mut zip = ZipWriter::new(File::create(path).unwrap());
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);

@@ -1,0 +1,93 @@
+//! Weights, late days and pseudonyms, by the command line, of a class that is graded once.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use tempfile::TempDir;
+
+use crate::{FULL, grade, grader, hand_in, ran, said};
+
+const RULES: &str = "[late]\nfree_days = 1\npenalty = 20\nlast_day = 5\n\n[lessons.01-lines]\nweight = 3\n\
+                     due = 2026-10-05T23:59:00+02:00\n";
+
+const SUBMITTED: &str = "submission,lesson,submitted\nann,01-lines,2026-10-05T21:00:00Z\n\
+                         ben,01-lines,2026-10-08T10:00:00+02:00\ncem,01-lines,2026-11-01T10:00:00+02:00\n";
+
+/// Writes the files, and the reports of a graded class anew.
+fn merge(folder: &Path, files: [&str; 2], more: &[&str]) -> (Output, PathBuf) {
+    let out = folder.join("out");
+    let _ = fs::remove_dir_all(&out);
+    let paths = ["rules.toml", "submitted.csv"].map(|name| folder.join(name));
+    paths.iter().zip(files).for_each(|(path, text)| fs::write(path, text).unwrap());
+    let graded = folder.join("graded");
+    let mut parts = vec![("", &*graded), ("--out", &out), ("--rules", &paths[0])];
+    if !files[1].is_empty() {
+        parts.push(("--submitted", &paths[1]));
+    }
+    (grader(&[&["merge"], more].concat(), &parts).output().unwrap(), out)
+}
+
+/// A class whose members are right, but one who handed in nothing; nothing where no walls can be built.
+fn graded() -> Option<TempDir> {
+    let folder = tempfile::tempdir().unwrap();
+    let class = folder.path().join("class");
+    ["ann", "ben", "cem"].iter().for_each(|name| hand_in(&class, name, FULL));
+    fs::create_dir(class.join("di")).unwrap();
+    let report = folder.path().join("graded");
+    ran(&grade(&class, &report, &[]), &report).then_some(folder)
+}
+
+#[test]
+fn what_counts_is_in_all_reports() {
+    let Some(folder) = graded() else { return };
+    let (output, out) = merge(folder.path(), [RULES, SUBMITTED], &["--anonymous"]);
+    assert!(output.status.success(), "{}", said(&output));
+    let read = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+
+    // Three days late, of which one is free and two cost a fifth each: 3 · 10 · 60 %.
+    let mut grades = csv::Reader::from_path(out.join("grades.csv")).unwrap();
+    let rows: Vec<csv::StringRecord> = grades.records().map(Result::unwrap).collect();
+    let last = |row: &csv::StringRecord| row.iter().skip(row.len() - 5).map(String::from).collect::<Vec<_>>();
+    let counted: Vec<Vec<String>> = rows.iter().map(last).collect();
+    let expected = [
+        ["0", "0", "30", "30", "30"],
+        ["3", "1", "18", "18", "30"],
+        ["27", "0", "0", "0", "30"],
+        ["0", "0", "0", "0", "30"],
+    ];
+    assert_eq!(counted, expected);
+    let page = read("index.html");
+    assert!(page.contains(">Counts<") && page.contains("18 / 30</td>"), "{page}");
+    for (name, words) in [
+        ("ann", "It counts 30 of 30."),
+        ("ben", "It counts 18 of 30, 3 days late, of which 1 free."),
+        ("cem", "It counts 0 of 30, 27 days late, which is too late."),
+    ] {
+        assert!(read(&format!("students/{name}.html")).contains(words), "{name}");
+    }
+    assert!(read("students/ben.html").contains("<p>With weights and days late: 18 of 30.</p>"));
+    let anonymous = read("anonymous/grades.csv");
+    assert!(anonymous.contains(",3,1,18,18,30") && !anonymous.contains("ben"), "{anonymous}");
+    assert!(read("anonymous-key-keep-it-to-yourself.csv").contains(",ben\n"));
+}
+
+#[test]
+fn bad_rules_are_one_line_and_nothing_is_written() {
+    let Some(folder) = graded() else { return };
+    let twice = format!("{SUBMITTED}ben,01-lines,2026-10-08T10:00:00+02:00\n");
+    let misspelt = SUBMITTED.replace("ben", "bon");
+    for (rules, submitted, words) in [
+        ("[late]\npenalty = 10\nfree = 1\n", SUBMITTED, "rules.toml:3: unknown field `free`"),
+        ("[lessons.99-none]\nweight = 1\n", SUBMITTED, "rules.toml:1: `99-none` is no lesson"),
+        (RULES, "", "rules.toml: 01-lines has a deadline: give --submitted FILE"),
+        (RULES, "submission,submitted\nann,Monday\n", "submitted.csv:2: `Monday`: a time is to be written"),
+        (RULES, &twice, "submitted.csv:5: there are two times for ben"),
+        (RULES, &misspelt, "--submitted does not say when ben handed in 01-lines"),
+    ] {
+        let (output, out) = merge(folder.path(), [rules, submitted], &[]);
+        let said = said(&output);
+        assert!(output.status.code() == Some(1) && said.contains(words), "{said}");
+        assert!(said.trim().lines().count() == 1 && !out.exists(), "{said}");
+    }
+}
