@@ -143,7 +143,7 @@ mod tests {
     /// The chapter's example by hand: 7 columns, a rise of 3.
     #[test]
     fn the_chapters_example() {
-        let table = IDEAL.view(&[0.5, 0.5, 7.5, 3.5, 9.0]).table;
+        let table = IDEAL.view(&[0.5, 0.5, 7.5, 3.5, 8.0]).table;
         assert_eq!(table[1][1..], ["0", "0", "1", "1", "2", "2", "3", "3"]);
         assert_eq!(table[3][1..], ["−7", "−1", "−9", "−3", "−11", "−5", "−13", "−7"]);
     }
