@@ -121,6 +121,11 @@ async function keyed(page, part, fault) {
         await page.keyboard.press("ArrowDown");
         await drawn(page);
         if (await shown(part) !== before) fault(`${name}: does not return by keys`);
+        const address = page.url();
+        await page.keyboard.press("ArrowRight");
+        await page.keyboard.press("ArrowLeft");
+        await drawn(page);
+        if (page.url() !== address) fault(`${name}: the arrow keys turn the page`);
     }
 }
 

@@ -46,6 +46,9 @@
         const panel = element("div", { className: "live", role: "group", ariaLabel: hint }, picture,
             element("p", { className: "live-hint", textContent: hint }), controls, told, table, heard);
 
+        // The arrow keys turn the book's pages, too.
+        panel.addEventListener("keydown", (event) => event.stopPropagation());
+
         const first = inputs.flatMap(({ from }) => from);
         let values = [...first];
         let view;
