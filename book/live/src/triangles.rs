@@ -248,7 +248,12 @@ pub(crate) const SWEEP: Figure = Figure {
         whole_pixel("Corner A", [1.5, 1.5]),
         whole_pixel("Corner B", [15.5, 5.5]),
         whole_pixel("Corner C", [5.5, 10.5]),
-        Input::Slider { label: "Rows filled", from: 12.0, range: [0.0, SWEPT.y as f64], step: 1.0 },
+        Input::Slider {
+            label: "Rows filled, from the lowest",
+            from: 11.0,
+            range: [0.0, SWEPT.y as f64],
+            step: 1.0,
+        },
     ],
     draw: sweep,
 };
