@@ -117,14 +117,15 @@ function measure() {
 
 /// Letters in line drawings, at the size at which they are shown.
 async function drawings(page, fault) {
-    const shown = await page.evaluate(() => [...document.querySelectorAll("figure.figure img[src$='.svg']")]
-        .map((image) => [image.getAttribute("src"), image.getBoundingClientRect().width]));
-    for (const [source, width] of shown) {
-        const svg = readFileSync(join(book, source), "utf8");
+    const shown = await page.evaluate(() => [...document.querySelectorAll("figure.figure > img[src$='.svg'], .live-drawing > svg")]
+        .filter((drawing) => drawing.getClientRects().length)
+        .map((drawing) => [drawing.getAttribute("src"), drawing.outerHTML, drawing.getBoundingClientRect().width]));
+    for (const [source, html, width] of shown) {
+        const svg = source ? readFileSync(join(book, source), "utf8") : html;
         const [, , wide] = svg.match(/viewBox="([\d.]+ ){2}([\d.]+)/);
         const letters = [...svg.matchAll(/font-size="([\d.]+)"/g)].map((match) => Number(match[1]));
         const height = Math.min(...letters) * width / Number(wide);
-        if (height < smallest) fault(`${source}: letters of ${height.toFixed(1)} px`);
+        if (height < smallest) fault(`${source ?? "a figure that moves"}: letters of ${height.toFixed(1)} px`);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::fault::Fault;
 use crate::glossary::{self, Entries, Term};
 use crate::links::Targets;
 use crate::page::{Page, Sources, expand};
-use crate::{check, mdbook};
+use crate::{check, mdbook, moving};
 use charts::figures::{self, Drawn};
 use charts::lessons::{LESSONS, Lesson};
 
@@ -56,6 +56,7 @@ pub(crate) fn build(out: &Path) -> anyhow::Result<()> {
     let drawn = figures::draw()?;
     let faults = pages(Path::new(BOOK), LESSONS, out, &drawn)?;
     figures::write(&drawn, &out.join("figures"))?;
+    moving::write(out)?;
     if faults.is_empty() {
         return Ok(());
     }
@@ -290,7 +291,14 @@ mod tests {
     #[test]
     fn the_book_has_no_faults_and_shows_every_figure() {
         let folder = tempfile::tempdir().unwrap();
-        let faults = pages(Path::new(BOOK), LESSONS, folder.path(), &figures::draw().unwrap()).unwrap();
+        let drawn = figures::draw().unwrap();
+        for live::Figure { name, .. } in live::FIGURES {
+            assert!(
+                drawn.iter().any(|still| still.figure.name == *name),
+                "{name}: no still figure has this name"
+            );
+        }
+        let faults = pages(Path::new(BOOK), LESSONS, folder.path(), &drawn).unwrap();
         let list: Vec<String> = faults.iter().map(ToString::to_string).collect();
         assert!(list.is_empty(), "{}", list.join("\n"));
     }

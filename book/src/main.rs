@@ -19,6 +19,7 @@ mod links;
 mod markup;
 mod math;
 mod mdbook;
+mod moving;
 mod page;
 mod pictures;
 mod quiz;

@@ -346,7 +346,10 @@ impl Writer<'_> {
                     format!("<strong class=\"number\">Figure {number}</strong>")
                 });
                 let number = number.unwrap_or_default();
-                let text = format!("<figure class=\"{kind}\" id=\"{id}\">{image}<figcaption>\n\n{number}");
+                let moves = kind == "figure" && live::FIGURES.iter().any(|figure| figure.name == name);
+                let live = if moves { format!(" data-live=\"{name}\"") } else { String::new() };
+                let text =
+                    format!("<figure class=\"{kind}\" id=\"{id}\"{live}>{image}<figcaption>\n\n{number}");
                 self.edits.push((whole, text));
                 self.edits.push((end..end, "\n\n</figcaption></figure>".into()));
             }

@@ -3,14 +3,15 @@
 //! What is drawn has coordinates as in the course, y up; the sheet turns them into those of SVG. Every sheet is
 //! 480 units wide, and no letter smaller than 15: on a telephone that still reads. Colours are Okabe and Ito's, which
 //! colour-blind people can tell apart; on a dark page, each has another shade, and the ground is dark.
+//!
+//! A sheet is written as a file of its own, whose shades follow the page that shows it, or as a part of a page
+//! ([`Sheet::inline`]), which has the shades in its style ([`shades`]).
 
 use std::fmt;
 
 use common::Vec2;
 use svg::Document;
 use svg::node::element::{Circle, Line, Path, Polygon, Polyline, Rectangle, Style, Text};
-
-use super::Drawing;
 
 /// Width of every sheet.
 const WIDTH: f32 = 480.0;
@@ -22,34 +23,34 @@ const MARGIN: f32 = 14.0;
 const HEIGHT: f32 = 430.0;
 
 /// A colour of the book.
-pub(crate) type Ink = &'static str;
+pub type Ink = &'static str;
 
 /// Letters and outlines.
-pub(crate) const BLACK: Ink = "#22262b";
+pub const BLACK: Ink = "#22262b";
 /// What is there but not meant.
-pub(crate) const GREY: Ink = "#6b7178";
+pub const GREY: Ink = "#6b7178";
 /// Grids.
-pub(crate) const FAINT: Ink = "#d3d1c9";
+pub const FAINT: Ink = "#d3d1c9";
 /// The ground.
-pub(crate) const PAPER: Ink = "#fdfcf9";
+pub const PAPER: Ink = "#fdfcf9";
 /// First choice for what is meant.
-pub(crate) const BLUE: Ink = "#0072b2";
+pub const BLUE: Ink = "#0072b2";
 /// Second choice, and what is wrong.
-pub(crate) const ORANGE: Ink = "#d55e00";
+pub const ORANGE: Ink = "#d55e00";
 /// Third choice, and what is right.
-pub(crate) const GREEN: Ink = "#007a5a";
+pub const GREEN: Ink = "#007a5a";
 /// Fills behind black letters.
-pub(crate) const SKY: Ink = "#9fd3f2";
+pub const SKY: Ink = "#9fd3f2";
 /// Fills behind black letters.
-pub(crate) const AMBER: Ink = "#f2c14e";
+pub const AMBER: Ink = "#f2c14e";
 /// Fourth choice.
-pub(crate) const PURPLE: Ink = "#a8487f";
+pub const PURPLE: Ink = "#a8487f";
 /// Large areas behind everything.
-pub(crate) const PALE: Ink = "#f1eee5";
+pub const PALE: Ink = "#f1eee5";
 /// Fills behind black letters.
-pub(crate) const ROSE: Ink = "#d9a3c2";
+pub const ROSE: Ink = "#d9a3c2";
 /// Fills behind black letters.
-pub(crate) const MINT: Ink = "#a5d8c3";
+pub const MINT: Ink = "#a5d8c3";
 
 /// What becomes of the colours on a dark page.
 const DARK: [(Ink, Ink); 13] = [
@@ -68,12 +69,20 @@ const DARK: [(Ink, Ink); 13] = [
     (MINT, "#1f5c4a"),
 ];
 
-/// The style of all sheets: it is stronger than the attributes that give each part its colour.
-fn dark() -> String {
+/// The rules of style that give all colours their other shade in what a selector names; they are stronger than the attributes
+/// that give each part its colour.
+#[must_use]
+pub fn shades(within: &str) -> String {
     let rule = |(light, dark): (Ink, Ink)| {
-        format!("[fill='{light}']{{fill:{dark}}}[stroke='{light}']{{stroke:{dark}}}")
+        format!("{within}[fill='{light}']{{fill:{dark}}}{within}[stroke='{light}']{{stroke:{dark}}}")
     };
-    format!("@media(prefers-color-scheme:dark){{{}}}", DARK.map(rule).concat())
+    DARK.map(rule).concat()
+}
+
+/// Whether a colour has another shade on a dark page.
+#[must_use]
+pub fn has_dark_shade(color: &str) -> bool {
+    DARK.iter().any(|(light, _)| *light == color)
 }
 
 /// A drawing, in which a rectangle of the plane can be seen.
@@ -102,27 +111,30 @@ impl Sheet {
             .set("font-size", LETTER)
             .set("stroke-linejoin", "round")
             .set("stroke-linecap", "round")
-            .add(Style::new(dark()))
             .add(ground);
         Self { document, low, scale, height }
     }
 
     /// Width and height in SVG's units.
-    pub(crate) fn size(&self) -> (u32, u32) {
+    #[must_use]
+    pub fn size(&self) -> (u32, u32) {
         (WIDTH as u32, self.height as u32)
     }
 
-    /// A colour that has no shade for a dark page.
-    #[cfg(test)]
-    pub(crate) fn without_dark_shade(&self) -> Option<String> {
-        let svg = self.to_string();
-        let document = roxmltree::Document::parse(&svg).ok()?;
-        let colors = document
-            .descendants()
-            .flat_map(|node| ["fill", "stroke"].into_iter().filter_map(move |name| node.attribute(name)));
-        let mut rest =
-            colors.filter(|color| *color != "none" && DARK.iter().all(|(light, _)| light != color));
-        rest.next().map(String::from)
+    /// Where the origin is on the sheet, in SVG's units, and how many of them are 1: the point (x, y) is at
+    /// (origin.x + x·scale, origin.y − y·scale).
+    #[must_use]
+    pub fn frame(&self) -> (Vec2, f32) {
+        (
+            Vec2::new(MARGIN, self.height - MARGIN) + Vec2::new(-self.low.x, self.low.y) * self.scale,
+            self.scale,
+        )
+    }
+
+    /// The drawing as a part of a page, without shades for a dark one.
+    #[must_use]
+    pub fn inline(&self) -> String {
+        self.document.to_string()
     }
 
     /// Where on the sheet a point is, to a hundredth of a unit, so that files stay small.
@@ -137,13 +149,13 @@ impl Sheet {
     }
 
     /// A line of a width in units of the sheet.
-    pub(crate) fn line(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
+    pub fn line(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
         let line = self.segment(from, to, ink, width);
         self.add(line);
     }
 
     /// A dashed line.
-    pub(crate) fn dashed(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
+    pub fn dashed(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
         let line = self.segment(from, to, ink, width).set("stroke-dasharray", "5 5");
         self.add(line);
     }
@@ -160,7 +172,7 @@ impl Sheet {
     }
 
     /// A vector: a line with a point at its end.
-    pub(crate) fn arrow(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink) {
+    pub fn arrow(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink) {
         const HEAD: f32 = 11.0;
         let (from, to) = (from.into(), to.into());
         let along = (to - from).normalize_or_zero() * HEAD / self.scale;
@@ -170,7 +182,7 @@ impl Sheet {
     }
 
     /// A filled area with an outline; either may be `none`.
-    pub(crate) fn polygon(&mut self, corners: &[Vec2], fill: Ink, outline: Ink) {
+    pub fn polygon(&mut self, corners: &[Vec2], fill: Ink, outline: Ink) {
         let points: Vec<String> = corners.iter().map(|&corner| pair(self.at(corner))).collect();
         self.add(
             Polygon::new()
@@ -182,39 +194,27 @@ impl Sheet {
     }
 
     /// A rectangle whose sides are level and upright, filled as [`polygon`](Self::polygon) is.
-    pub(crate) fn rectangle(&mut self, low: impl Into<Vec2>, high: impl Into<Vec2>, fill: Ink, outline: Ink) {
+    pub fn rectangle(&mut self, low: impl Into<Vec2>, high: impl Into<Vec2>, fill: Ink, outline: Ink) {
         let (low, high) = (low.into(), high.into());
         self.polygon(&[low, low.with_x(high.x), high, low.with_y(high.y)], fill, outline);
     }
 
     /// A box with words in it.
-    pub(crate) fn labelled(
-        &mut self,
-        center: impl Into<Vec2>,
-        half: impl Into<Vec2>,
-        fill: Ink,
-        words: &str,
-    ) {
+    pub fn labelled(&mut self, center: impl Into<Vec2>, half: impl Into<Vec2>, fill: Ink, words: &str) {
         let (center, half) = (center.into(), half.into());
         self.rectangle(center - half, center + half, fill, BLACK);
         self.text(center, words, BLACK);
     }
 
     /// Two axes through a place of the sheet, drawn from one corner about it to another.
-    pub(crate) fn axes(
-        &mut self,
-        origin: impl Into<Vec2>,
-        low: impl Into<Vec2>,
-        high: impl Into<Vec2>,
-        width: f32,
-    ) {
+    pub fn axes(&mut self, origin: impl Into<Vec2>, low: impl Into<Vec2>, high: impl Into<Vec2>, width: f32) {
         let (origin, low, high) = (origin.into(), low.into(), high.into());
         self.line(origin + low.with_y(0.0), origin + high.with_y(0.0), GREY, width);
         self.line(origin + low.with_x(0.0), origin + high.with_x(0.0), GREY, width);
     }
 
     /// A line through points.
-    pub(crate) fn polyline<P>(&mut self, points: impl IntoIterator<Item = P>, ink: Ink, width: f32)
+    pub fn polyline<P>(&mut self, points: impl IntoIterator<Item = P>, ink: Ink, width: f32)
     where
         P: Into<Vec2>,
     {
@@ -229,7 +229,7 @@ impl Sheet {
     }
 
     /// The arc about a point from one angle to another, counterclockwise, in radians.
-    pub(crate) fn arc(&mut self, center: impl Into<Vec2>, radius: f32, from: f32, to: f32, ink: Ink) {
+    pub fn arc(&mut self, center: impl Into<Vec2>, radius: f32, from: f32, to: f32, ink: Ink) {
         let center = center.into();
         let rim = |angle: f32| pair(self.at(center + radius * Vec2::from_angle(angle)));
         let (r, large) = (radius * self.scale, i32::from(to - from > std::f32::consts::PI));
@@ -238,7 +238,7 @@ impl Sheet {
     }
 
     /// A point.
-    pub(crate) fn dot(&mut self, at: impl Into<Vec2>, ink: Ink) {
+    pub fn dot(&mut self, at: impl Into<Vec2>, ink: Ink) {
         let (cx, cy) = self.at(at);
         self.add(
             Circle::new().set("cx", cx).set("cy", cy).set("r", 4.5).set("fill", ink).set("stroke", PAPER),
@@ -246,7 +246,7 @@ impl Sheet {
     }
 
     /// The square of a pixel, given by its bottom-left corner.
-    pub(crate) fn pixel(&mut self, x: i32, y: i32, fill: Ink) {
+    pub fn pixel(&mut self, x: i32, y: i32, fill: Ink) {
         let (left, bottom) = self.at(Vec2::new(x as f32, y as f32));
         self.add(
             Rectangle::new()
@@ -261,12 +261,12 @@ impl Sheet {
     }
 
     /// The squares of pixels of one colour.
-    pub(crate) fn pixels(&mut self, pixels: impl IntoIterator<Item = (i32, i32)>, fill: Ink) {
+    pub fn pixels(&mut self, pixels: impl IntoIterator<Item = (i32, i32)>, fill: Ink) {
         pixels.into_iter().for_each(|(x, y)| self.pixel(x, y, fill));
     }
 
     /// The lines between pixels, from one corner to another.
-    pub(crate) fn grid(&mut self, low: (i32, i32), high: (i32, i32)) {
+    pub fn grid(&mut self, low: (i32, i32), high: (i32, i32)) {
         let point = |x: i32, y: i32| Vec2::new(x as f32, y as f32);
         for x in low.0..=high.0 {
             self.line(point(x, low.1), point(x, high.1), FAINT, 1.0);
@@ -277,17 +277,17 @@ impl Sheet {
     }
 
     /// Words with their middle at a point.
-    pub(crate) fn text(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
+    pub fn text(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
         self.words(at, words, ink, "middle");
     }
 
     /// Words that begin at a point.
-    pub(crate) fn text_right_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
+    pub fn text_right_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
         self.words(at, words, ink, "start");
     }
 
     /// Words that end at a point.
-    pub(crate) fn text_left_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
+    pub fn text_left_of(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink) {
         self.words(at, words, ink, "end");
     }
 
@@ -307,11 +307,11 @@ impl Sheet {
         );
     }
 
-    /// The drawing, finished.
+    /// The drawing, finished, as what a figure returns.
     ///
     /// # Errors
     /// Never; a figure may fail, and a sheet is most often its end.
-    pub fn finish(self) -> anyhow::Result<Drawing> {
+    pub fn finish<D: From<Self>, E>(self) -> Result<D, E> {
         Ok(self.into())
     }
 }
@@ -322,6 +322,7 @@ fn pair((x, y): (f32, f32)) -> String {
 
 impl fmt::Display for Sheet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.document.fmt(f)
+        let shades = format!("@media(prefers-color-scheme:dark){{{}}}", shades(""));
+        self.document.clone().add(Style::new(shades)).fmt(f)
     }
 }

@@ -1,0 +1,199 @@
+// Moves every figure of the built book that moves, in headless Chromium, from files.
+//
+//     npm ci && node live.js [FOLDER] [PICTURES]     FOLDER: the book, by default target/book
+//
+// It fails where a figure is not found, does not change when it is dragged or moved by the keys, does not return when it is moved
+// back, tells other numbers than book/live/states.json, which a Rust test holds the same functions against, is missing in print or
+// without scripts, or where a request leaves the book. Pictures of all figures, before and after, are written to PICTURES, if there
+// is such a folder. CHROMIUM names the browser where it is not /usr/bin/chromium.
+
+import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const book = resolve(process.argv[2] ?? join(here, "../../target/book"));
+const pictures = process.argv[3];
+const code = join(book, "live-code.js");
+const script = existsSync(code) ? readFileSync(code, "utf8") : "";
+if (!script.startsWith("liveFigures(")) {
+    console.error(`${code}: the figures of this book do not move; cargo run -p book says why`);
+    process.exit(1);
+}
+const root = pathToFileURL(book).href + "/";
+const { figures } = JSON.parse(script.slice(script.indexOf("(") + 1, script.lastIndexOf(")")));
+const states = JSON.parse(readFileSync(join(here, "../live/states.json"), "utf8"));
+const pages = readdirSync(book).filter((name) => name.endsWith(".html") && name !== "print.html");
+
+/// A change should take less than 16 ms. What is measured hangs on the machine, so that only ten times as much is a fault.
+const slowest = 160;
+
+const faults = [];
+const times = [];
+const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update",
+        "--disable-sync", "--disable-quic", "--no-first-run"],
+});
+for (const figure of figures) {
+    const page = pages.find((name) => readFileSync(join(book, name), "utf8").includes(`data-live="${figure.name}"`));
+    if (!page) faults.push(`${figure.name}: no page has it`);
+    else await check(figure, root + page).catch((error) => faults.push(`${figure.name}: ${error.message}`));
+}
+await browser.close();
+
+for (const fault of faults) console.error(fault);
+console.log(`${figures.length} figures that move, ${states.length} states: ${faults.length} faults`);
+for (const [name, time] of times) console.log(`${name}: ${time.toFixed(1)} ms a change (median)`);
+process.exit(faults.length ? 1 : 0);
+
+async function check(figure, address) {
+    const fault = (text) => faults.push(`${figure.name}: ${text}`);
+    await withoutScript(figure, address, fault);
+    for (const width of [1280, 390]) {
+        const context = await browser.newContext({ viewport: { width, height: 900 } });
+        const page = await context.newPage();
+        page.on("pageerror", (error) => fault(`script: ${error.message}`));
+        page.on("request", (request) => request.url().startsWith(root) || request.url().startsWith("data:")
+            || fault(`asks for ${request.url()}`));
+        await page.goto(address);
+        const part = page.locator(`figure[data-live="${figure.name}"]`);
+        await part.locator(".live").waitFor({ timeout: 10_000 });
+        await part.scrollIntoViewIfNeeded();
+        if (await part.locator(":scope > img").isVisible()) fault("the still figure is there as well");
+        await shoot(part, page, `${figure.name}-${width}`);
+        await dragged(figure, page, part, fault);
+        await keyed(page, part, fault);
+        if (width === 1280) {
+            for (const state of states.filter((state) => state.figure === figure.name)) {
+                await page.evaluate(set, { figure, values: state.values });
+                await drawn(page);
+                const told = await part.locator(".live-told").textContent();
+                if (told !== state.told) fault(`${state.values} tells\n  ${told}\nnot\n  ${state.told}`);
+            }
+            await shoot(part, page, `${figure.name}-${width}-moved`);
+            await measure(figure, page, fault);
+            await page.emulateMedia({ media: "print" });
+            if (!await part.locator(":scope > img").isVisible()) fault("is missing in print");
+        }
+        await context.close();
+    }
+}
+
+/// Without scripts the still figure is there.
+async function withoutScript(figure, address, fault) {
+    const context = await browser.newContext({ javaScriptEnabled: false });
+    const page = await context.newPage();
+    await page.goto(address);
+    const image = page.locator(`figure[data-live="${figure.name}"] > img`);
+    if (!await image.isVisible()) fault("without scripts there is nothing");
+    await context.close();
+}
+
+/// By mouse: the first handle, the picture that is turned, or the first slider; there and back.
+async function dragged(figure, page, part, fault) {
+    const [{ kind }] = figure.inputs;
+    const grip = { point: ".live-handle", turn: ".live-picture", slider: "input[type=range]" }[kind];
+    const before = await shown(part);
+    const { x, y, width, height } = await part.locator(grip).first().boundingBox();
+    const [left, top] = [x + width / 2, y + height / 2];
+    await page.mouse.move(left, top);
+    await page.mouse.down();
+    await page.mouse.move(left + 70, top - 45, { steps: 5 });
+    await drawn(page);
+    if (await shown(part) === before) fault("does not change when it is dragged");
+    await page.mouse.move(left, top, { steps: 5 });
+    await page.mouse.up();
+    await drawn(page);
+    if (await shown(part) !== before) fault("does not return when it is dragged back");
+}
+
+/// By keys: each handle, slider and choice that can be reached, there and back.
+async function keyed(page, part, fault) {
+    for (const control of await part.locator(".live :is(.live-handle, input, select)").all()) {
+        const before = await shown(part);
+        const name = await control.evaluate((control) => control.ariaLabel ?? control.parentElement.textContent);
+        await control.focus();
+        // What is at its upper end goes down.
+        let changed = false;
+        for (const keys of [["ArrowUp", "ArrowDown"], ["ArrowDown", "ArrowUp"]]) {
+            if (changed) break;
+            await page.keyboard.press(keys[0]);
+            await drawn(page);
+            changed = await shown(part) !== before;
+            if (!changed) continue;
+            await page.keyboard.press(keys[1]);
+            await drawn(page);
+            if (await shown(part) !== before) fault(`${name}: does not return by keys`);
+        }
+        if (!changed) fault(`${name}: does not change by keys`);
+        const address = page.url();
+        await page.keyboard.press("ArrowRight");
+        await page.keyboard.press("ArrowLeft");
+        await drawn(page);
+        if (page.url() !== address) fault(`${name}: the arrow keys turn the page`);
+    }
+}
+
+/// What is seen and what is told.
+function shown(part) {
+    return part.evaluate((figure) => {
+        const canvas = figure.querySelector("canvas");
+        const drawing = canvas ? canvas.toDataURL() : figure.querySelector(".live-drawing").innerHTML;
+        return drawing + figure.querySelector(".live-told").textContent;
+    });
+}
+
+/// Waits until what was asked for is drawn.
+function drawn(page) {
+    return page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+}
+
+/// Runs in the page: sets the inputs of a figure, points by the arrow keys.
+function set({ figure, values }) {
+    const panel = document.querySelector(`figure[data-live="${figure.name}"] .live`);
+    const [handles, ranges, selects] = [".live-handle", "input[type=range]", "select"]
+        .map((selector) => [...panel.querySelectorAll(selector)]);
+    const rest = [...values];
+    const slide = (range) => {
+        range.value = rest.shift();
+        range.dispatchEvent(new Event("input"));
+    };
+    panel.querySelector("button:not(.live-handle)").click();
+    for (const { kind, from, step } of figure.inputs) {
+        if (kind === "point") {
+            const handle = handles.shift();
+            for (const [axis, keys] of [["ArrowLeft", "ArrowRight"], ["ArrowDown", "ArrowUp"]].entries()) {
+                const steps = Math.round((rest.shift() - from[axis]) / step);
+                const event = () => new KeyboardEvent("keydown", { key: keys[steps > 0 ? 1 : 0] });
+                for (let n = 0; n < Math.abs(steps); n++) handle.dispatchEvent(event());
+            }
+        } else if (kind === "choice") {
+            const select = selects.shift();
+            select.selectedIndex = rest.shift();
+            select.dispatchEvent(new Event("change"));
+        } else {
+            for (let n = 0; n < from.length; n++) slide(ranges.shift());
+        }
+    }
+}
+
+/// How long a change takes, from the values to the page.
+async function measure(figure, page, fault) {
+    const all = await page.evaluate((name) => performance.getEntriesByName("live")
+        .filter(({ detail }) => detail === name).map(({ duration }) => duration).sort((a, b) => a - b), figure.name);
+    const median = all[Math.floor(all.length / 2)];
+    times.push([figure.name, median]);
+    if (!(median < slowest)) fault(`a change takes ${median} ms`);
+}
+
+/// A picture in either theme.
+async function shoot(part, page, name) {
+    if (!pictures) return;
+    for (const theme of ["light", "navy"]) {
+        await page.evaluate((theme) => document.documentElement.classList.replace(theme === "navy" ? "light" : "navy", theme), theme);
+        await part.screenshot({ path: join(pictures, `${name}-${theme}.png`) });
+    }
+    await page.evaluate(() => document.documentElement.classList.replace("navy", "light"));
+}

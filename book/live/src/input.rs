@@ -1,0 +1,115 @@
+//! What a reader can move.
+
+use common::{Method, Vec2};
+
+/// One thing that a reader can move.
+pub enum Input {
+    /// A point of the drawing, dragged or moved by the arrow keys. Two values, in the sheet's coordinates.
+    Point {
+        /// What it is called.
+        label: &'static str,
+        /// Where it is at first.
+        from: [f64; 2],
+        /// The lowest x and y.
+        low: [f64; 2],
+        /// The highest x and y.
+        high: [f64; 2],
+        /// What an arrow key moves it by; it is nowhere but in whole steps from the lowest.
+        step: f64,
+    },
+    /// A slider. One value.
+    Slider {
+        /// What it is called.
+        label: &'static str,
+        /// Where it is at first.
+        from: f64,
+        /// Its ends.
+        range: [f64; 2],
+        /// What an arrow key moves it by.
+        step: f64,
+    },
+    /// What is turned by dragging over the picture, and by two sliders: to the right, −180° to 180°, and down, −90° to 90°. Two
+    /// values, in whole degrees.
+    Turn {
+        /// How it is turned at first.
+        from: [f64; 2],
+    },
+    /// A choice from a table of methods, which tells the chosen one's promise and failure. One value, the number of the row.
+    Choice {
+        /// What it is called.
+        label: &'static str,
+        /// The table.
+        rows: fn() -> Vec<Method<()>>,
+        /// The name of the row that is chosen at first.
+        from: &'static str,
+    },
+}
+
+/// What a number may be.
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// What it is at first.
+    pub from: f64,
+    /// The least.
+    pub low: f64,
+    /// The greatest.
+    pub high: f64,
+}
+
+impl Range {
+    /// What a number becomes: what is none is as at first.
+    #[must_use]
+    pub fn nearest(self, value: f64) -> f64 {
+        if value.is_nan() { self.from } else { value.clamp(self.low, self.high) }
+    }
+}
+
+impl Input {
+    /// What its values may be, one or two.
+    pub fn ranges(&self) -> impl Iterator<Item = Range> + use<> {
+        let range = |from, low, high| Some(Range { from, low, high });
+        match self {
+            Self::Point { from, low, high, .. } => {
+                [range(from[0], low[0], high[0]), range(from[1], low[1], high[1])]
+            }
+            Self::Slider { from, range: [low, high], .. } => [range(*from, *low, *high), None],
+            Self::Turn { from } => [range(from[0], -180.0, 180.0), range(from[1], -90.0, 90.0)],
+            Self::Choice { rows, from, .. } => {
+                let rows = rows();
+                let first = rows.iter().position(|row| row.name == *from).unwrap_or_default();
+                [range(first as f64, 0.0, rows.len().saturating_sub(1) as f64), None]
+            }
+        }
+        .into_iter()
+        .flatten()
+    }
+}
+
+/// The values of a figure's inputs, taken in the inputs' order.
+pub struct Values<'a>(std::slice::Iter<'a, f64>);
+
+impl<'a> Values<'a> {
+    /// All of them.
+    #[must_use]
+    pub fn new(values: &'a [f64]) -> Self {
+        Self(values.iter())
+    }
+
+    /// A slider's.
+    pub fn number(&mut self) -> f32 {
+        self.0.next().copied().unwrap_or_default() as f32
+    }
+
+    /// A point's.
+    pub fn point(&mut self) -> Vec2 {
+        Vec2::new(self.number(), self.number())
+    }
+
+    /// The row that is chosen.
+    ///
+    /// # Panics
+    /// Where the table is empty.
+    pub fn choice<F>(&mut self, table: &'static [Method<F>]) -> &'static Method<F> {
+        &table[(self.number() as usize).min(table.len() - 1)]
+    }
+}

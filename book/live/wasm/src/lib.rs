@@ -1,0 +1,48 @@
+//! What a page calls of the figures that move: five functions for all of them, compiled to WebAssembly.
+//!
+//! Numbers go in one by one; what was drawn comes out as bytes in the memory that the page can read. Only names are
+//! exported here, which the language calls unsafe; nothing else is.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use live::Rendered;
+
+/// What the inputs of the figure to be drawn are set to.
+static VALUES: Mutex<Vec<f64>> = Mutex::new(Vec::new());
+/// What was drawn last.
+static RENDERED: Mutex<Option<Rendered>> = Mutex::new(None);
+
+fn locked<T>(what: &Mutex<T>) -> MutexGuard<'_, T> {
+    what.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Adds a number to what the inputs are set to.
+#[unsafe(no_mangle)]
+pub extern "C" fn push(value: f64) {
+    locked(&VALUES).push(value);
+}
+
+/// Draws the figure of that number in `live::FIGURES`, its inputs set to what was pushed, and forgets that.
+#[unsafe(no_mangle)]
+pub extern "C" fn draw(figure: usize) {
+    let values = std::mem::take(&mut *locked(&VALUES));
+    *locked(&RENDERED) = live::FIGURES.get(figure).map(|figure| figure.render(&values));
+}
+
+/// Where the bytes of a part begin, of those that `live::Rendered` lists, until something else is drawn.
+#[unsafe(no_mangle)]
+pub extern "C" fn start(part: usize) -> *const u8 {
+    locked(&RENDERED).as_ref().map_or(&[][..], |rendered| rendered.part(part)).as_ptr()
+}
+
+/// How many bytes a part has.
+#[unsafe(no_mangle)]
+pub extern "C" fn length(part: usize) -> usize {
+    locked(&RENDERED).as_ref().map_or(0, |rendered| rendered.part(part).len())
+}
+
+/// A number of the drawing, of those that `live::Rendered` lists; 0 of one that it has not.
+#[unsafe(no_mangle)]
+pub extern "C" fn number(n: usize) -> f64 {
+    locked(&RENDERED).as_ref().and_then(|rendered| rendered.numbers.get(n).copied()).unwrap_or_default()
+}

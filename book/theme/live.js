@@ -1,0 +1,211 @@
+// Figures that move: their code, the lessons' own compiled to WebAssembly, is in live-code.js beside the pages, which is loaded
+// where a page has such a figure. What they are and do is written in book/live; here is what all of them share. Without scripts or
+// WebAssembly, in print and on the page of all chapters the still figures stay. Nothing moves unless a reader moves it.
+{
+    const here = document.currentScript.src;
+    const still = [...document.querySelectorAll("figure[data-live]")];
+    if (still.length && typeof WebAssembly === "object" && !location.pathname.endsWith("/print.html")) {
+        // live-code.js calls it: a page that is opened as a file may load scripts, but fetch nothing.
+        globalThis.liveFigures = begin;
+        const script = document.createElement("script");
+        script.src = new URL("../live-code.js", here).href;
+        document.head.append(script);
+    }
+
+    /// Sets all figures of the page going.
+    async function begin({ figures, style, code }) {
+        const bytes = Uint8Array.from(atob(code), (letter) => letter.charCodeAt(0));
+        const { instance } = await WebAssembly.instantiate(bytes, {});
+        document.head.append(element("style", { textContent: style }));
+        for (const figure of still) {
+            const n = figures.findIndex(({ name }) => name === figure.dataset.live);
+            if (n >= 0) move(figure, figures[n], (values) => render(instance.exports, n, values));
+        }
+    }
+
+    /// Draws a figure by the lessons' code. Returns its numbers and its parts, as `Rendered` in book/live lists them.
+    function render({ memory, push, draw, start, length, number }, n, values) {
+        values.forEach((value) => push(value));
+        draw(n);
+        const bytes = (part) => new Uint8ClampedArray(memory.buffer, start(part), length(part));
+        const text = (part) => new TextDecoder().decode(bytes(part));
+        const [width, height, x, y, scale] = [0, 1, 2, 3, 4].map((at) => number(at));
+        return { width, height, x, y, scale, bytes, text };
+    }
+
+    /// Puts a figure that moves in the place of a still one.
+    function move(figure, { name, hint, inputs }, render) {
+        const image = figure.querySelector("img");
+        const drawing = element("div", { className: "live-drawing", role: "img", ariaLabel: image.alt });
+        const picture = element("div", { className: "live-picture" }, drawing);
+        const controls = element("div", { className: "live-controls" });
+        const told = element("p", { className: "live-told" });
+        const table = element("div", { className: "table-wrapper live-table" });
+        // What is told changes with every step of a drag; who hears it is told where the drag ends.
+        const heard = element("output", { className: "live-heard", ariaLive: "polite" });
+        const panel = element("div", { className: "live", role: "group", ariaLabel: hint }, picture,
+            element("p", { className: "live-hint", textContent: hint }), controls, told, table, heard);
+
+        // The arrow keys turn the book's pages, too.
+        panel.addEventListener("keydown", (event) => event.stopPropagation());
+
+        const first = inputs.flatMap(({ from }) => from);
+        let values = [...first];
+        let view;
+        let asked = false;
+        let quiet;
+        const parts = [];
+        const change = (at, ...numbers) => {
+            values.splice(at, numbers.length, ...numbers);
+            if (!asked) requestAnimationFrame(show);
+            asked = true;
+        };
+        const show = () => {
+            asked = false;
+            const begun = performance.now();
+            view = render(values);
+            paint(drawing, view);
+            told.textContent = view.text(1);
+            fill(table, view.text(2));
+            parts.forEach((part) => part(values, view));
+            performance.measure("live", { start: begun, detail: name });
+            clearTimeout(quiet);
+            quiet = setTimeout(() => { heard.textContent = told.textContent; }, 500);
+        };
+        let at = 0;
+        for (const input of inputs) {
+            const set = change.bind(null, at);
+            const make = { point, slider, turn, choice }[input.kind];
+            parts.push(make({ input, at, set, picture, controls, values: () => values, view: () => view }));
+            at += input.from.length;
+        }
+        const reset = element("button", { type: "button", textContent: "As at first" });
+        reset.addEventListener("click", () => change(0, ...first));
+        controls.append(reset);
+        image.before(panel);
+        show();
+        clearTimeout(quiet);
+        figure.classList.add("live-on");
+    }
+
+    /// A point of the drawing, as a handle on it.
+    function point({ input, at, set, picture, values, view }) {
+        const handle = element("button", { type: "button", className: "live-handle" });
+        const go = (next) => set(...next.map((value, axis) => {
+            const steps = Math.round((value - input.low[axis]) / input.step);
+            const last = Math.round((input.high[axis] - input.low[axis]) / input.step);
+            return input.low[axis] + Math.min(Math.max(steps, 0), last) * input.step;
+        }));
+        drag(handle, ({ clientX, clientY }) => {
+            const { left, top, width } = picture.getBoundingClientRect();
+            const { x, y, scale, width: units } = view();
+            const [across, down] = [clientX - left, clientY - top].map((pixels) => pixels * units / width);
+            go([(across - x) / scale, (y - down) / scale]);
+        });
+        handle.addEventListener("keydown", (event) => {
+            const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+            if (!way) return;
+            event.preventDefault();
+            const step = input.step * (event.shiftKey ? 5 : 1);
+            go(way.map((along, axis) => values()[at + axis] + along * step));
+        });
+        picture.append(handle);
+        return (values, { width, height, x, y, scale }) => {
+            const place = values.slice(at, at + 2);
+            handle.style.left = `${(x + place[0] * scale) / width * 100}%`;
+            handle.style.top = `${(y - place[1] * scale) / height * 100}%`;
+            handle.ariaLabel = `${input.label}, at ${place.map(short).join(", ")}; the arrow keys move it`;
+        };
+    }
+
+    /// A slider with its label and its value.
+    function slider({ input, at, set, controls }) {
+        const range = element("input", { type: "range", min: input.low, max: input.high, step: input.step });
+        const shown = element("span", { className: "live-value" });
+        range.addEventListener("input", () => set(range.valueAsNumber));
+        controls.append(element("label", {}, `${input.label} `, range, shown));
+        return (values) => {
+            range.value = values[at];
+            shown.textContent = short(values[at]);
+        };
+    }
+
+    /// What is turned by dragging over the picture, and by two sliders.
+    function turn({ input, at, set, picture, controls, values, view }) {
+        const sliders = ["To the right, in degrees", "Down, in degrees"].map((label, axis) => slider({
+            controls,
+            input: { label, low: input.low[axis], high: input.high[axis], step: 1 },
+            at: at + axis,
+            set: (value) => set(...values().slice(at, at + 2).with(axis, value)),
+        }));
+        picture.classList.add("live-turned");
+        let from;
+        drag(picture, ({ type, clientX, clientY }) => {
+            if (type === "pointerdown") from = { right: values()[at], down: values()[at + 1], x: clientX, y: clientY };
+            // Across the picture is half a turn.
+            const degrees = 180 / picture.getBoundingClientRect().width;
+            const right = Math.round(from.right + (clientX - from.x) * degrees);
+            const down = Math.round(from.down + (clientY - from.y) * degrees);
+            set(((right + 180) % 360 + 360) % 360 - 180, Math.min(Math.max(down, -90), 90));
+        });
+        return (...shown) => sliders.forEach((part) => part(...shown));
+    }
+
+    /// A choice from a table of methods, with what the chosen one promises.
+    function choice({ input, at, set, controls }) {
+        const select = element("select", {}, ...input.rows.map(({ name }) => element("option", { textContent: name })));
+        const says = element("p", { className: "live-promise" });
+        select.addEventListener("change", () => set(select.selectedIndex));
+        controls.append(element("label", {}, `${input.label} `, select), says);
+        return (values) => {
+            const { promise, failure } = input.rows[values[at]];
+            select.selectedIndex = values[at];
+            says.textContent = failure === "-" ? `${promise}.` : `${promise}. Fails: ${failure}.`;
+        };
+    }
+
+    /// Calls `moved` while a part is dragged, by mouse, pen or finger.
+    function drag(part, moved) {
+        part.addEventListener("pointerdown", (event) => {
+            if (event.button !== 0) return;
+            part.setPointerCapture(event.pointerId);
+            moved(event);
+        });
+        part.addEventListener("pointermove", (event) => part.hasPointerCapture(event.pointerId) && moved(event));
+    }
+
+    /// Shows a drawing, lines and letters as SVG, pixels on a canvas.
+    function paint(drawing, { width, height, scale, bytes, text }) {
+        if (scale) {
+            drawing.innerHTML = text(0);
+            return;
+        }
+        let canvas = drawing.querySelector("canvas");
+        if (!canvas) drawing.append(canvas = element("canvas", { width, height }));
+        canvas.getContext("2d").putImageData(new ImageData(bytes(0), width, height), 0, 0);
+    }
+
+    /// Shows a table, whose first row and first column name the others.
+    function fill(wrapper, text) {
+        if (!text) return;
+        const rows = text.split("\n").map((row) => row.split("\t"));
+        const cell = (words, row, column) => element(row && column ? "td" : "th",
+            { textContent: words, scope: row ? "row" : "col" });
+        wrapper.replaceChildren(element("table", {}, ...rows.map((words, row) =>
+            element("tr", {}, ...words.map((word, column) => cell(word, row, column))))));
+        if (wrapper.scrollWidth > wrapper.clientWidth) wrapper.tabIndex = 0;
+        else wrapper.removeAttribute("tabindex");
+    }
+
+    /// A number with as many digits as it needs, at most three behind the point.
+    function short(number) {
+        return String(Number(number.toFixed(3))).replace("-", "−");
+    }
+
+    /// An element with its properties and its content.
+    function element(name, properties, ...content) {
+        const made = Object.assign(document.createElement(name), properties);
+        made.append(...content);
+        return made;
+    }
+}
