@@ -29,9 +29,15 @@ impl Copy {
         self.within(Command::new(env!("CARGO")).args(arguments)).output().expect("cargo can be started")
     }
 
-    /// The copy's book.
+    /// The copy's book, whose figures move by the course's code if they do.
     pub(crate) fn book(&self, arguments: &[&str]) -> Output {
-        self.cargo(&[&["run", "--package=book", "--"], arguments].concat())
+        let mut cargo = Command::new(env!("CARGO"));
+        let code = target().join("wasm32-unknown-unknown/live/live_wasm.wasm");
+        if code.exists() {
+            cargo.env("LIVE_CODE", code);
+        }
+        let book = cargo.args(["run", "--package=book", "--"]).args(arguments);
+        self.within(book).output().expect("cargo can be started")
     }
 
     /// Has a program run in the copy, and what it builds built for a short wait. Other people's crates are those that were built
