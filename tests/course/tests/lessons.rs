@@ -5,6 +5,8 @@ use std::path::Path;
 
 use tasks::{COURSE, lessons};
 
+use crate::one_more::files;
+
 #[test]
 fn every_lesson_has_its_tests() {
     let course = Path::new(COURSE);
@@ -26,5 +28,18 @@ fn every_lesson_has_its_tests() {
             readme.lines().any(|line| line.starts_with('|') && line.contains(&row)),
             "README: no row of {lesson}"
         );
+    }
+}
+
+/// Compiling a library once more for tests that it has not is waiting for nothing; leaving out those that it has would be worse.
+#[test]
+fn a_library_is_compiled_for_its_tests_if_it_has_some() {
+    for lesson in lessons(Path::new(COURSE)).expect("the course can be read") {
+        let folder = Path::new(COURSE).join("lessons").join(&lesson);
+        let text = |path| fs::read_to_string(path).expect("it is text");
+        let has_tests =
+            files(&folder.join("src")).into_iter().any(|path| text(path).contains("#[cfg(test)]"));
+        let is_tested = !text(folder.join("Cargo.toml")).contains("\n[lib]\ntest = false\n");
+        assert_eq!(has_tests, is_tested, "lessons/{lesson}/Cargo.toml");
     }
 }
