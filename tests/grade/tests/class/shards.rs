@@ -32,7 +32,7 @@ fn text(yaml: &Yaml, keys: &[&str]) -> String {
 /// The command of a job that has the grader among its steps.
 fn step(yaml: &Yaml, job: &str) -> String {
     let steps = at(yaml, &["jobs", job, "steps"]).as_sequence().unwrap();
-    let runs = steps.iter().filter_map(|step| step["run"].as_str());
+    let runs = steps.iter().filter_map(|step| step.as_mapping_get("run")?.as_str());
     runs.into_iter().find(|run| run.contains("-p grade")).unwrap().to_string()
 }
 
