@@ -92,6 +92,7 @@ fn with(more: &[(&'static str, String)]) -> Vec<(&'static str, String)> {
 }
 
 #[test]
+#[ignore = "a minute; for the course's own CI"]
 fn each_template_makes_the_report_of_the_whole_class() {
     let folder = small_class();
     // Something to look at: that ends no shard.
