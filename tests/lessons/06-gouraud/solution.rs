@@ -11,7 +11,11 @@ pub fn intensities(normals: [Vec3; 3], light: Vec3) -> Vec3 {
 }
 
 /// Interpolated, then clamped.
-pub fn gouraud(scene: &Scene, image: &mut Image, place: impl Fn(Vec3) -> Option<Vec3>) -> Drawn<DepthBuffer<f32>> {
+pub fn gouraud(
+    scene: &Scene,
+    image: &mut Image,
+    place: impl Fn(Vec3) -> Option<Vec3>,
+) -> Drawn<DepthBuffer<f32>> {
     let mut drawn = Drawn { depths: DepthBuffer::new(image, f32::NEG_INFINITY), left_out: 0 };
     for (n, (corners, uvs)) in scene.model.faces().zip(scene.model.face_uvs()).enumerate() {
         let [Some(a), Some(b), Some(c)] = corners.map(&place) else {

@@ -301,7 +301,7 @@ mod tests {
                 let mut texture = texture.clone();
                 texture.flip_vertically();
                 // In the check the square is as bright above as below.
-                draw(&Uniforms { texture: Some(&texture), ..*uniforms }, TEXTURE, GOURAUD, target)
+                draw(&Uniforms { texture: Some(&texture), ..*uniforms }, TEXTURE, GOURAUD, target);
             },
             ..reference
         };
