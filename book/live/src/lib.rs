@@ -6,7 +6,7 @@
 //! move: points of the drawing, sliders, choices from a table of methods, a picture that is turned. Its function takes their
 //! values in the same order, calls the lesson, and returns a [`View`]: a [`Sheet`](sheet::Sheet), as still figures are drawn on,
 //! or a picture of pixels; a sentence that says what is to be seen, and perhaps a table of numbers. The first values should
-//! give what the still figure shows. [`lines`] has one with points and a choice, [`head`] one that is turned.
+//! give what the still figure shows. `lines` has one with points and a choice, `head` one that is turned.
 //!
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and

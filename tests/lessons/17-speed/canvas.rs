@@ -28,17 +28,13 @@ impl Way {
     }
 }
 
-/// The levels of instructions that this machine has, from the least one on.
+/// The levels of instructions that this machine has, from the least one on: those that the course is compiled for.
 pub(crate) fn levels() -> Vec<Level> {
     #[cfg(target_arch = "x86_64")]
     use fearless_simd::Simd;
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
-    let others = [
-        best.as_sse4_2().map(|simd| simd.level()),
-        best.as_avx2().map(|simd| simd.level()),
-        best.as_avx512().map(|simd| simd.level()),
-    ];
+    let others = [best.as_avx2().map(Simd::level), best.as_avx512().map(Simd::level)];
     #[cfg(not(target_arch = "x86_64"))]
     let others = [Some(best)];
     std::iter::once(Level::baseline()).chain(others.into_iter().flatten()).collect()

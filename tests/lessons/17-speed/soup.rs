@@ -135,7 +135,7 @@ impl Shader for &Soup {
     fn corner(&self, face: usize, corner: usize) -> (Vec2, f32) {
         let vertex = self.triangles[face][corner];
         let [a, b, c] = [1, 2, 3].map(|n| mixed(vertex, n) as f32 / u32::MAX as f32 - 0.5);
-        let c = if self.drops == Drops::Nan && vertex % 3 == 0 { f32::NAN } else { 1e3 * c };
+        let c = if self.drops == Drops::Nan && vertex.is_multiple_of(3) { f32::NAN } else { 1e3 * c };
         (Vec2::new(a, 40.0 * b), c)
     }
 
@@ -146,7 +146,7 @@ impl Shader for &Soup {
         let dropped = match self.drops {
             Drops::Nothing | Drops::Triangles => false,
             Drops::Checker => (x ^ y) & 1 == 1,
-            Drops::Some => told % 3 == 0,
+            Drops::Some => told.is_multiple_of(3),
             Drops::All => true,
             Drops::Nan => one.is_nan(),
         };
