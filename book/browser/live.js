@@ -93,11 +93,13 @@ async function withoutScript(figure, address, fault) {
 
 /// By mouse: the first handle, the picture that is turned, or the first slider; there and back.
 async function dragged(figure, page, part, fault) {
-    const [{ kind }] = figure.inputs;
+    const [{ kind, from, low, high }] = figure.inputs;
     const grip = { point: ".live-handle", turn: ".live-picture", slider: "input[type=range]" }[kind];
     const before = await shown(part);
     const { x, y, width, height } = await part.locator(grip).first().boundingBox();
-    const [left, top] = [x + width / 2, y + height / 2];
+    // A slider is taken where its thumb is, which is 16 px wide.
+    const share = kind === "slider" ? (from[0] - low) / (high - low) : 1 / 2;
+    const [left, top] = [x + 8 + share * (width - 16), y + height / 2];
     await page.mouse.move(left, top);
     await page.mouse.down();
     await page.mouse.move(left + 70, top - 45, { steps: 5 });
@@ -115,15 +117,16 @@ async function keyed(page, part, fault) {
         const before = await shown(part);
         const name = await control.evaluate((control) => control.ariaLabel ?? control.parentElement.textContent);
         await control.focus();
-        // What is at its upper end goes down.
+        // What is at its upper end, or shows no more there, goes down.
         let changed = false;
         for (const keys of [["ArrowUp", "ArrowDown"], ["ArrowDown", "ArrowUp"]]) {
             if (changed) break;
+            const value = await control.evaluate((control) => control.value);
             await page.keyboard.press(keys[0]);
             await drawn(page);
             changed = await shown(part) !== before;
-            if (!changed) continue;
-            await page.keyboard.press(keys[1]);
+            const moved = changed || await control.evaluate((control) => control.value) !== value;
+            if (moved) await page.keyboard.press(keys[1]);
             await drawn(page);
             if (await shown(part) !== before) fault(`${name}: does not return by keys`);
         }
