@@ -82,10 +82,15 @@
         const reset = element("button", { type: "button", textContent: "As at first" });
         reset.addEventListener("click", () => change(0, ...first));
         controls.append(reset);
-        image.before(panel);
+        // What is turned is one picture; the still one, whose caption tells of several, stays above it.
+        if (inputs.some(({ kind }) => kind === "turn")) {
+            image.after(panel);
+        } else {
+            image.before(panel);
+            figure.classList.add("live-on");
+        }
         show();
         clearTimeout(quiet);
-        figure.classList.add("live-on");
     }
 
     /// A point of the drawing, as a handle on it.

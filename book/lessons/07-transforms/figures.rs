@@ -6,6 +6,7 @@ use anyhow::Context;
 use camera::lookat;
 use common::{Color, DVec3, Image, Mat3, Mat4, Model, Quat, Vec2, Vec3, Vec4, Vec4Swizzles};
 use gouraud::{Scene, Wrap, corner_normals};
+use live::LETTER;
 use transforms::affine::{about, rotate_x, rotate_y, rotate_z, shear_x};
 use transforms::rotation::{from_quaternion, quaternion, rodrigues, rodrigues_f64};
 use transforms::{METHODS, normal_matrix, place, projection, scale, translate, viewport};
@@ -128,20 +129,6 @@ pub(crate) const FIGURES: &[Figure] = &[
          renormalised it looks a little aside, in f64 it looks ahead.",
         drift,
     ),
-];
-
-/// The letter F, from (0, 0) to (1, 1.5).
-const LETTER: [(f32, f32); 10] = [
-    (0.0, 0.0),
-    (0.3, 0.0),
-    (0.3, 0.6),
-    (0.8, 0.6),
-    (0.8, 0.9),
-    (0.3, 0.9),
-    (0.3, 1.2),
-    (1.0, 1.2),
-    (1.0, 1.5),
-    (0.0, 1.5),
 ];
 
 /// Where a matrix takes the letter.

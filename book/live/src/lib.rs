@@ -2,11 +2,12 @@
 //!
 //! **To add a figure**, write a [`Figure`] in the file of its lesson and a row of [`FIGURES`]; there is nothing to write in
 //! JavaScript or HTML, and nothing in the chapter. Its name is that of the still figure (a row of `FIGURES` beside the chapter)
-//! in whose place it stands; the still one stays for print, and for readers without scripts. Its inputs are what a reader can
-//! move: points of the drawing, sliders, choices from a table of methods, a picture that is turned. Its function takes their
-//! values in the same order, calls the lesson, and returns a [`View`]: a [`Sheet`](sheet::Sheet), as still figures are drawn on,
-//! or a picture of pixels; a sentence that says what is to be seen, and perhaps a table of numbers. The first values should
-//! give what the still figure shows. `lines` has one with points and a choice, `head` one that is turned.
+//! in whose place it stands, or below which if it is turned; the still one stays for print, and for readers without scripts.
+//! Its inputs are what a reader can move: points of the drawing, sliders, choices from a table of methods, a picture that is
+//! turned. Its function takes their values in the same order, calls the lesson, and returns a [`View`]: a
+//! [`Sheet`](sheet::Sheet), as still figures are drawn on, or a picture of pixels; a sentence that says what is to be seen, and
+//! perhaps a table of numbers. The first values should give what the still figure shows. `lines` has one with points and a
+//! choice, `head` one that is turned.
 //!
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and
@@ -22,6 +23,7 @@ mod triangles;
 mod view;
 
 pub use input::{Input, Range, Values};
+pub use transforms::LETTER;
 pub use view::{Drawing, Rendered, View};
 
 /// All figures that move. The page's script calls one by its number here.
@@ -40,7 +42,7 @@ pub const FIGURES: &[Figure] = &[
 
 /// One figure.
 pub struct Figure {
-    /// That of the still figure in whose place it stands.
+    /// That of its still figure.
     pub name: &'static str,
     /// What a reader can do, in a sentence or two.
     pub hint: &'static str,

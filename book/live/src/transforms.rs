@@ -21,7 +21,7 @@ pub(crate) const ORDER: Figure = Figure {
 };
 
 /// The letter F, from (0, 0) to (1, 1.5).
-const LETTER: [(f32, f32); 10] = [
+pub const LETTER: [(f32, f32); 10] = [
     (0.0, 0.0),
     (0.3, 0.0),
     (0.3, 0.6),

@@ -211,10 +211,13 @@ fn sign(mut values: Values) -> View {
     let edge = |n: usize, at: Vec2| area([corners[n], corners[(n + 1) % 3], at]);
     let signs = |at: Vec2| [0, 1, 2].map(|n| if edge(n, at) > 0.0 { "+" } else { "−" });
     let mut sheet = Sheet::new(LOW, LOW + Vec2::new(MAP[0] as f32, MAP[1] as f32) * STEP);
+    let mut regions: BTreeMap<[&str; 3], Vec<Vec2>> = BTreeMap::new();
     for (x, y) in (0..MAP[1]).flat_map(|y| (0..MAP[0]).map(move |x| (x, y))) {
         let low = LOW + Vec2::new(x as f32, y as f32) * STEP;
+        let signs = signs(low + STEP / 2.0);
+        regions.entry(signs).or_default().push(low + STEP / 2.0);
         // As many minuses, as far from the inside.
-        let fill = match signs(low + STEP / 2.0).into_iter().filter(|&sign| sign == "−").count() {
+        let fill = match signs.into_iter().filter(|&sign| sign == "−").count() {
             0 => Some(SKY),
             1 => None,
             2 => Some(AMBER),
@@ -223,6 +226,16 @@ fn sign(mut values: Values) -> View {
         if let Some(fill) = fill {
             sheet.rectangle(low, low + STEP, fill, "none");
         }
+    }
+    // P tells those of its own region.
+    for (region, places) in regions.into_iter().filter(|(region, _)| *region != signs(p)) {
+        let middle = places.iter().sum::<Vec2>() / places.len() as f32;
+        sheet.text(middle, &region.join(" "), GREY);
+    }
+    for n in 0..3 {
+        let (from, to) = (corners[n], corners[(n + 1) % 3]);
+        let along = (to - from).normalize_or_zero() * 1.35;
+        sheet.dashed(from - along, to + along, GREY, 1.5);
     }
     for (n, ink) in [BLUE, ORANGE, GREEN].into_iter().enumerate() {
         sheet.arrow(corners[n], corners[(n + 1) % 3], ink);
