@@ -4,7 +4,7 @@ use common::IVec2;
 use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 
 use crate::blocks::SIDE;
-use crate::eight::{Wide, mask};
+use crate::eight::{Wide, mask, merged};
 use crate::render::{Job, shade};
 use crate::simd::from_least;
 use crate::tile::{NONE, Tile};
@@ -22,10 +22,11 @@ pub(crate) fn see<S: Simd>(
 ) {
     let lanes = mask(simd, lanes);
     let seen = &mut tile.seen[place..place + 8];
-    lanes.select(u32x8::splat(simd, number), u32x8::from_slice(simd, seen)).store_slice(seen);
+    merged(simd, lanes, u32x8::splat(simd, number), u32x8::from_slice(simd, seen)).store_slice(seen);
     for (weight, kept) in weights.into_iter().zip(&mut tile.weights) {
         let kept = &mut kept[place..place + 8];
-        lanes.select(weight, f32x8::from_slice(simd, kept)).store_slice(kept);
+        let old = f32x8::from_slice(simd, kept).to_bits();
+        f32x8::from_bits(merged(simd, lanes, weight.to_bits(), old)).store_slice(kept);
     }
 }
 // ANCHOR_END: see

@@ -46,12 +46,12 @@ struct Flags {
     repeat: Option<u32>,
 
     /// Draw a version of lesson 16's scene instead, 0 to 11: 11 if no number is given
-    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "11", value_parser = clap::value_parser!(u8).range(0..=11))]
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "11", value_parser = clap::value_parser!(u8).range(0..=11), conflicts_with_all = OF_A_MODEL)]
     scene: Option<u8>,
 
     /// Open that scene's window, with lesson 16's keys; version 11 unless --scene names another one
     #[cfg(feature = "window")]
-    #[arg(long, conflicts_with = "out")]
+    #[arg(long, conflicts_with_all = OF_A_MODEL, conflicts_with_all = ["out", "repeat"])]
     window: bool,
 
     #[command(flatten)]
@@ -74,6 +74,11 @@ impl Flags {
         self.scene.is_some()
     }
 }
+
+/// What lesson 16's scene has of its own.
+const OF_A_MODEL: [&str; 13] = [
+    "model", "fit", "texture", "filter", "wrap", "light", "eye", "center", "up", "fov", "near", "far", "cull",
+];
 
 /// More than a picture has work for.
 const MOST_THREADS: i64 = 256;

@@ -5,7 +5,7 @@ use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 
 use crate::blocks::{Cover, SIDE, cover};
 use crate::deferred::{see, shade_block, spell_out};
-use crate::eight::{Eight, Part, Wide, corners, mask};
+use crate::eight::{Eight, Part, Wide, corners, mask, merged};
 use crate::frame::Plan;
 use crate::hierarchical_depth::Plane;
 use crate::simd::{Row, from_least};
@@ -211,7 +211,7 @@ pub(crate) fn shade<S: Simd, W: Wide>(
     let weights = in_space(simd, parts, weights);
     let (shaded, kept) = shader.shade(simd, &Eight { x, y, asked, depths, weights, parts });
     let drawn = kept & asked;
-    mask(simd, drawn).select(shaded, u32x8::from_slice(simd, colors)).store_slice(colors);
+    merged(simd, mask(simd, drawn), shaded, u32x8::from_slice(simd, colors)).store_slice(colors);
     drawn
 }
 

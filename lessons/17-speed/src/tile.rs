@@ -4,7 +4,7 @@ use common::{Bounds, Color, IVec2};
 use fearless_simd::{Simd, f32x8, prelude::*};
 
 use crate::blocks::SIDE;
-use crate::eight::packed;
+use crate::eight::{packed, unpacked};
 
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -121,6 +121,8 @@ pub(crate) struct Canvas {
     pub(crate) across: usize,
     pub(crate) tiles: Vec<Tile>,
     pub(crate) background: u32,
+    /// A tile's row where nothing was drawn.
+    empty: Vec<u32>,
 }
 
 impl Canvas {
@@ -134,12 +136,20 @@ impl Canvas {
             Tile::new(number, bounds, is_deferred)
         };
         let tiles = corners.enumerate().map(tile).collect();
-        Self { picture, side, across: starts(width).len(), tiles, background: 0 }
+        Self {
+            picture,
+            side,
+            across: starts(width).len(),
+            tiles,
+            background: 0,
+            empty: vec![0; side as usize],
+        }
     }
 
     /// Forgets what was drawn.
     pub(crate) fn clear(&mut self, background: Color) {
         self.background = packed(background);
+        self.empty.fill(self.background);
         self.tiles.iter_mut().for_each(|tile| tile.is_used = false);
     }
 
@@ -157,7 +167,7 @@ impl Canvas {
             if tile.is_used {
                 write(&tile.colors[tile.place(tile.bounds.min.x, y as i32)..], to, bytes);
             } else {
-                to.chunks_exact_mut(bytes).for_each(|to| write(&[self.background], to, bytes));
+                write(&self.empty, to, bytes);
             }
         }
     }
@@ -166,10 +176,24 @@ impl Canvas {
 /// Writes colours as pixels of so many bytes each.
 #[inline(always)]
 fn write(colors: &[u32], to: &mut [u8], bytes: usize) {
-    let colors = colors.iter().map(|color| color.to_le_bytes());
     match bytes {
-        4 => to.as_chunks_mut().0.iter_mut().zip(colors).for_each(|(to, color)| *to = color),
-        3 => to.as_chunks_mut().0.iter_mut().zip(colors).for_each(|(to, [r, g, b, _])| *to = [r, g, b]),
-        _ => to.iter_mut().zip(colors).for_each(|(to, [r, g, b, a])| *to = Color { r, g, b, a }.luma()),
+        4 => to.as_chunks_mut().0.iter_mut().zip(colors).for_each(|(to, color)| *to = color.to_le_bytes()),
+        3 => write_rgb(colors, to),
+        _ => to.iter_mut().zip(colors).for_each(|(to, &color)| *to = unpacked(color).luma()),
+    }
+}
+
+/// The same of three bytes each: four pixels are three words.
+#[inline(always)]
+fn write_rgb(colors: &[u32], to: &mut [u8]) {
+    let (fours, rest) = to.as_chunks_mut::<12>();
+    let last = &colors[4 * fours.len()..];
+    for (to, [a, b, c, d]) in fours.iter_mut().zip(colors.as_chunks().0) {
+        let words = [a & 0x00ff_ffff | b << 24, b >> 8 & 0xffff | c << 16, c >> 16 & 0xff | d << 8];
+        to.as_chunks_mut().0.copy_from_slice(&words.map(u32::to_le_bytes));
+    }
+    for (to, color) in rest.as_chunks_mut().0.iter_mut().zip(last) {
+        let [r, g, b, _] = color.to_le_bytes();
+        *to = [r, g, b];
     }
 }

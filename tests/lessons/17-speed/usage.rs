@@ -32,6 +32,9 @@ fn wrong_command_lines() {
             (&["--far", "0.1"], "it must lie behind the near one"),
             (&["--eye", "1,2,3", "--center", "1,2,3"], "--eye and --center are one point: move one of them"),
             (&["--turntable", "3"], "--turntable"),
+            (&["--scene", "--filter", "nearest"], "'--scene [<N>]' cannot be used with '--filter <NAME>'"),
+            (&["--scene", "3", "--model"], "'--scene [<N>]' cannot be used with '--model [<FILE>]'"),
+            (&["--scene", "12"], "--scene [<N>]"),
         ],
     );
 }

@@ -2,11 +2,11 @@
 
 use blending::blend::BlendStage;
 use blending::{Over, TwoShift};
-use common::{Bounds, Color, IVec2};
+use common::{Bounds, IVec2};
 use fearless_simd::{Simd, mask32x8, prelude::*, u32x8};
 
 use super::samples::{ALL, SAMPLES};
-use crate::eight::packed;
+use crate::eight::{merged, packed, unpacked};
 
 /// A tile's side in pixels.
 pub(crate) const SIDE: i32 = 32;
@@ -68,7 +68,7 @@ impl Tile {
         let several = self.split(place);
         for (n, half) in several.as_chunks_mut::<8>().0.iter_mut().enumerate() {
             let mask = mask32x8::from_bitmask(simd, (samples >> (8 * n) & 0xff).into());
-            let mixed = mask.select(u32x8::splat(simd, color), u32x8::load_array(simd, *half));
+            let mixed = merged(simd, mask, u32x8::splat(simd, color), u32x8::load_array(simd, *half));
             mixed.store_array(half);
         }
     }
@@ -125,9 +125,4 @@ fn mean<S: Simd>(simd: S, colors: &[u32; SAMPLES]) -> u32 {
         (sum + 0x0008_0008) >> 4 & EVEN
     };
     sum(0) | sum(8) << 8
-}
-
-fn unpacked(color: u32) -> Color {
-    let [r, g, b, a] = color.to_le_bytes();
-    Color { r, g, b, a }
 }
