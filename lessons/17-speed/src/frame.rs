@@ -85,29 +85,32 @@ impl Frame {
         let size = (canvas.picture.max + 1).as_vec2();
         let stages = Stages::new(shader, cull, Clipping::GuardBand, size);
 
-        // 1. Vertices, each once.
         let mut vertices: Vec<Computed<W::Varying>> = std::mem::take(kept.of());
-        threads.fill(&mut vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
-
-        // 2. Triangles, sorted into tiles, in as many parts as will keep all threads busy.
         let mut sorted: Vec<Sorted<W::Constant, W::Varying>> = std::mem::take(kept.of());
-        let (count, part) = parts(mesh.faces.len(), plan.threads);
-        sorted.resize_with(count, Sorted::default);
-        threads.each(&mut sorted, |n, sorted| {
-            sorted.fill(&stages, &vertices, mesh.some_triangles(part(n)), canvas);
-        });
         let mut counts = Counts::default();
-        sorted.iter().for_each(|part| counts += part.counts);
-        counts.vertices = vertices.len();
+        threads.run(|| {
+            // 1. Vertices, each once.
+            threads.fill(&mut vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
 
-        // 3. Tiles.
-        let background = canvas.background;
-        let job = Job { shader, sorted: &sorted, plan: *plan, deferred: plan.deferred && shader.keeps_all() };
-        threads.each(&mut canvas.tiles, |n, tile: &mut Tile| {
-            if sorted.iter().any(|part| !part.by_tile[n].is_empty()) {
-                tile.open(background);
-                dispatch!(*level, simd => job.tile(simd, tile));
-            }
+            // 2. Triangles, sorted into tiles, in as many parts as will keep all threads busy.
+            let (count, part) = parts(mesh.faces.len(), plan.threads);
+            sorted.resize_with(count, Sorted::default);
+            threads.each(&mut sorted, |n, sorted| {
+                sorted.fill(&stages, &vertices, mesh.some_triangles(part(n)), canvas);
+            });
+            sorted.iter().for_each(|part| counts += part.counts);
+            counts.vertices = vertices.len();
+
+            // 3. Tiles.
+            let deferred = plan.deferred && shader.keeps_all();
+            let job = Job { shader, sorted: &sorted, plan: *plan, deferred };
+            let background = canvas.background;
+            threads.each(&mut canvas.tiles, |n, tile: &mut Tile| {
+                if sorted.iter().any(|part| !part.by_tile[n].is_empty()) {
+                    tile.open(background);
+                    dispatch!(*level, simd => job.tile(simd, tile));
+                }
+            });
         });
         *kept.of() = vertices;
         *kept.of() = sorted;

@@ -4,7 +4,7 @@
 //! each to memory of its own. Nothing is locked, and which thread does what changes no pixel: a tile takes the parts' lists in
 //! their order. Who has nothing left to do takes work from others (R. Blumofe and C. Leiserson, *Scheduling multithreaded
 //! computations by work stealing*, 1994; the crate `rayon` does it).
-//! **What it costs:** a thread that sleeps is woken three times a drawing, and once for the picture. What is drawn in less time
+//! **What it costs:** a thread that sleeps is woken once a drawing, and once for the picture. What is drawn in less time
 //! than that gains nothing, and what waits for memory gains little: cores share it.
 
 use rayon::prelude::*;
@@ -32,18 +32,12 @@ impl Threads {
         }
     }
 
-    /// Does some work with each of these.
+    /// Does some work with each of these. Each is handed out by itself, as one may cost much more than the next.
     pub(crate) fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
-        match &self.0 {
-            Some(pool) => {
-                pool.install(|| items.par_iter_mut().enumerate().for_each(|(n, item)| work(n, item)));
-            }
-            None => items.iter_mut().enumerate().for_each(|(n, item)| work(n, item)),
-        }
+        self.each_piece(items, 1, |n, item| work(n, &mut item[0]));
     }
 
-    /// Does some work with each piece of these, all of that length but perhaps the last. Each piece is handed out by itself, as
-    /// one may cost much more than the next.
+    /// Does some work with each piece of these, all of that length but perhaps the last.
     pub(crate) fn each_piece<T: Send>(
         &self,
         items: &mut [T],
