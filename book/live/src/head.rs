@@ -1,30 +1,25 @@
 //! The head, turned, by the methods of several chapters.
 //!
-//! It is the head in the fewest triangles that there is, 638, in the form of an OBJ file, which the course's own reader reads
-//! when the first picture is drawn.
+//! It is the head in the fewest triangles that there is, 638.
 
 use std::sync::LazyLock;
 
-use common::{Attributes, Color, Format, Image, Method, Model, Vec2, Vec3};
-use gouraud::{Scene, Wrap, corner_normals};
+use common::{Color, Format, Image, Method, Model, Vec3};
+use gouraud::{Scene, Wrap};
+use perspective::scene::Loaded;
 use transforms::affine::euler;
 use triangles::{draw_model, flat_intensity};
 
-use crate::{Drawing, Figure, Input, Values, View};
+use crate::{Drawing, Figure, Input, Values, View, packed};
 
 /// Width and height of the pictures.
 pub(crate) const SIDE: u16 = 360;
 /// The head's size, so that it stays within them however it is turned.
 const SIZE: f32 = 0.86;
 
-/// The model and its corners' normals.
-static HEAD: LazyLock<(Model, Vec<[Vec3; 3]>)> = LazyLock::new(|| {
-    let wanted = Attributes { normals: true, uvs: false };
-    let model =
-        Model::parse(include_bytes!("../../../assets/head-low.obj"), wanted).expect("it is one of ours");
-    let normals = corner_normals(&model);
-    (model, normals)
-});
+/// The head as it stands.
+pub(crate) static HEAD: LazyLock<Loaded> =
+    LazyLock::new(|| packed::loaded(packed::HEAD, packed::texture(), Wrap::Clamp));
 
 const HINT: &str = "Turn the head by dragging it, or by the sliders. Choose another method.";
 const TURN: Input = Input::Turn { from: [25.0, 0.0] };
@@ -91,16 +86,22 @@ impl Turned {
     /// By so many degrees to the right and down.
     pub(crate) fn by([right, down]: [f32; 2]) -> Self {
         let turn = euler(Vec3::new(down, right, 0.0));
-        let (model, normals) = &*HEAD;
-        let positions = model.positions().iter().map(|&position| turn * position * SIZE).collect();
-        // One texel serves all corners.
-        let turned = Model::from_triangles(positions, model.triangles().to_vec())
-            .and_then(|turned| turned.with_uvs(vec![Vec2::ZERO], vec![[0; 3]; model.triangles().len()]));
+        let Loaded { model, normals, .. } = &*HEAD;
         Self {
-            model: turned.expect("what is turned is as sound as before"),
+            model: moved(model, |position| turn * position * SIZE),
             normals: normals.iter().map(|corners| corners.map(|normal| turn * normal)).collect(),
         }
     }
+}
+
+/// A model with its positions moved.
+fn moved(model: &Model, to: impl Fn(Vec3) -> Vec3) -> Model {
+    let positions = model.positions().iter().map(|&position| to(position)).collect();
+    let uvs = model.face_uvs().flatten().collect();
+    let corners = (0..model.triangles().len() as u32).map(|face| [0, 1, 2].map(|corner| 3 * face + corner));
+    Model::from_triangles(positions, model.triangles().to_vec())
+        .and_then(|moved| moved.with_uvs(uvs, corners.collect()))
+        .expect("what is moved is as sound as before")
 }
 
 /// The head turned, drawn by the method chosen.

@@ -18,6 +18,7 @@
 mod head;
 mod input;
 mod lines;
+mod packed;
 mod transforms;
 mod triangles;
 mod view;
