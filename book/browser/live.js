@@ -61,8 +61,9 @@ async function check(figure, address) {
         const part = page.locator(`figure[data-live="${figure.name}"]`);
         await part.locator(".live").waitFor({ timeout: 10_000 });
         await part.scrollIntoViewIfNeeded();
-        const stays = figure.inputs.some(({ kind }) => kind === "turn");
-        if (await part.locator(":scope > img").isVisible() !== stays) fault(`the still figure ${stays ? "is gone" : "is there as well"}`);
+        if (await part.locator(":scope > img").isVisible() !== figure.stays) {
+            fault(`the still figure ${figure.stays ? "is gone" : "is there as well"}`);
+        }
         await shoot(part, page, `${figure.name}-${width}`);
         await dragged(figure, page, part, fault);
         await keyed(page, part, fault);

@@ -57,7 +57,7 @@ fn script(code: &[u8]) -> String {
 /// What the page's script must know of a figure.
 fn figure(figure: &Figure) -> Value {
     let inputs: Vec<Value> = figure.inputs.iter().map(input).collect();
-    json!({ "name": figure.name, "hint": figure.hint, "inputs": inputs })
+    json!({ "name": figure.name, "stays": figure.stays, "hint": figure.hint, "inputs": inputs })
 }
 
 fn input(input: &Input) -> Value {

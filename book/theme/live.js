@@ -34,7 +34,7 @@
     }
 
     /// Puts a figure that moves in the place of a still one.
-    function move(figure, { name, hint, inputs }, render) {
+    function move(figure, { name, stays, hint, inputs }, render) {
         const image = figure.querySelector("img");
         const drawing = element("div", { className: "live-drawing", role: "img", ariaLabel: image.alt });
         const picture = element("div", { className: "live-picture" }, drawing);
@@ -82,8 +82,7 @@
         const reset = element("button", { type: "button", textContent: "As at first" });
         reset.addEventListener("click", () => change(0, ...first));
         controls.append(reset);
-        // What is turned is one picture; the still one, whose caption tells of several, stays above it.
-        if (inputs.some(({ kind }) => kind === "turn")) {
+        if (stays) {
             image.after(panel);
         } else {
             image.before(panel);

@@ -4,13 +4,14 @@
 
 use std::sync::LazyLock;
 
-use common::{Color, Format, Image, Method, Model, Vec3};
-use gouraud::{Scene, Wrap};
+use common::{Color, Format, Image, Mat4, Method, Model, Vec3};
+use gouraud::{Scene, Wrap, gouraud};
 use perspective::scene::Loaded;
 use transforms::affine::euler;
+use transforms::place;
 use triangles::{draw_model, flat_intensity};
 
-use crate::{Drawing, Figure, Input, Values, View, packed};
+use crate::{Drawing, Figure, Input, Values, View, packed, whole};
 
 /// Width and height of the pictures.
 pub(crate) const SIDE: u16 = 360;
@@ -27,6 +28,7 @@ const TURN: Input = Input::Turn { from: [25.0, 0.0] };
 /// Lesson 3's head, which knows no depth: the later triangle covers the earlier one.
 pub(crate) const TRIANGLES: Figure = Figure {
     name: "triangles-head",
+    stays: true,
     hint: HINT,
     inputs: &[
         TURN,
@@ -45,6 +47,7 @@ pub(crate) const TRIANGLES: Figure = Figure {
 /// Lesson 4's head.
 pub(crate) const ZBUFFER: Figure = Figure {
     name: "zbuffer-head",
+    stays: true,
     hint: HINT,
     inputs: &[
         TURN,
@@ -61,6 +64,7 @@ pub(crate) const ZBUFFER: Figure = Figure {
 /// Lesson 6's head, white instead of textured.
 pub(crate) const GOURAUD: Figure = Figure {
     name: "gouraud-three",
+    stays: true,
     hint: HINT,
     inputs: &[
         TURN,
@@ -68,10 +72,8 @@ pub(crate) const GOURAUD: Figure = Figure {
     ],
     draw: |values| {
         drawn(values, gouraud::METHODS, |method, head, image| {
-            let mut texture = Image::new(1, 1, Format::Rgb);
-            texture.set(0, 0, Color::WHITE);
-            let Turned { model, normals, .. } = head;
-            method(&Scene { model, normals, texture: &texture, wrap: Wrap::Clamp, light: Vec3::Z }, image);
+            let Turned { model, normals } = head;
+            method(&Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light: Vec3::Z }, image);
         })
     },
 };
@@ -92,6 +94,22 @@ impl Turned {
             normals: normals.iter().map(|corners| corners.map(|normal| turn * normal)).collect(),
         }
     }
+
+    /// A picture of it, smoothly lit, its points placed by a matrix.
+    pub(crate) fn placed(&self, m: &Mat4, light: Vec3) -> Image {
+        let Self { model, normals } = self;
+        let scene = Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light };
+        let mut image = Image::new(SIDE, SIDE, Format::Rgb);
+        gouraud(&scene, &mut image, |point| place(m, point));
+        image
+    }
+}
+
+/// One white texel.
+pub(crate) fn white() -> Image {
+    let mut texture = Image::new(1, 1, Format::Rgb);
+    texture.set(0, 0, Color::WHITE);
+    texture
 }
 
 /// A model with its positions moved.
@@ -112,7 +130,7 @@ fn drawn<F>(mut values: Values, table: &'static [Method<F>], draw: impl Fn(&F, &
     let mut image = Image::new(SIDE, SIDE, Format::Rgb);
     draw(&method.run, &head, &mut image);
     let towards = head.model.faces().filter(|&corners| flat_intensity(corners, Vec3::Z) > 0.0).count();
-    let [right, down] = [right, down].map(|degrees| degrees.to_string().replace('-', "−"));
+    let [right, down] = [right, down].map(whole);
     let told = format!(
         "{}: the head, turned by {right}° to the right and {down}° down; {towards} of its {} triangles face the eye.",
         method.name,
