@@ -35,7 +35,9 @@ fn pole(mut values: Values) -> View {
     let view = (method.run)(eye, center, Vec3::Y).expect("the eye is not at the centre");
     let side = f32::from(SIDE);
     let all = viewport(side, side, 0.42) * projection(DISTANCE) * view.matrix * translate(-view.origin);
-    let mut image = Turned::by([0.0, 0.0]).placed(&all, Vec3::new(0.2, 0.8, 0.55).normalize());
+    // Over the viewer's shoulder.
+    let light = (eye - center).normalize() + Vec3::new(0.3, 0.5, 0.0);
+    let mut image = Turned::by([0.0, 0.0]).placed(&all, light.normalize());
     // The middle, marked.
     let middle = i32::from(SIDE / 2);
     for n in -10..=10 {

@@ -50,10 +50,18 @@ fn cases(mut values: Values) -> View {
     let seen = others.into_iter().fold(before, |rest, plane| clip(&rest, plane));
 
     let mut sheet = Sheet::new((-2.4, -2.7), (10.1, 2.5));
-    let height = Vec2::new(0.0, 2.2);
-    sheet.polygon(&[Vec2::splat(near), Vec2::new(2.2, 2.2).max(Vec2::splat(near))], PALE, "none");
+    // What is seen, as far as it is on the sheet.
+    let high = 2.2;
+    let height = Vec2::new(0.0, high);
+    let upper = [
+        Vec2::splat(near.min(high)).with_x(near),
+        Vec2::splat(high).with_x(near.max(high)),
+        Vec2::new(5.2, high),
+    ];
+    let lower = upper.map(|corner| corner * Vec2::new(1.0, -1.0));
+    sheet.polygon(&[upper[0], upper[1], upper[2], lower[2], lower[1], lower[0]], PALE, "none");
     for side in [1.0, -1.0] {
-        sheet.line((0.0, 0.0), (2.2, 2.2 * side), FAINT, 1.6);
+        sheet.line((0.0, 0.0), (high, high * side), FAINT, 1.6);
     }
     sheet.line((-2.3, 0.0), (5.2, 0.0), FAINT, 1.4);
     let from_the_side = |polygon: &Polygon<()>| -> Vec<Vec2> {
@@ -67,7 +75,7 @@ fn cases(mut values: Values) -> View {
         sheet.dot((corner.position.w, corner.position.y), if is_cut { ORANGE } else { BLUE });
     }
     sheet.dot((0.0, 0.0), BLACK);
-    sheet.text((-0.1, -0.32), "eye", BLACK);
+    sheet.text_left_of((-0.15, 0.32), "eye", BLACK);
     sheet.text((near, -2.5), "near plane", BLACK);
 
     let in_picture: Vec<Vec2> = seen
@@ -81,7 +89,7 @@ fn cases(mut values: Values) -> View {
     let inside =
         triangle.corners().iter().filter(|corner| distance(near_plane, corner.position) >= 0.0).count();
     let told = format!(
-        "Of 3 corners {inside} on the inner side of the near plane, which is at the depth {}. Cut by it, the triangle has {} \
+        "The inner side of the near plane, which is at the depth {}, has {inside} of the 3 corners. Cut by it, the triangle has {} \
          corners; in the picture, cut by the other five planes too, {}.",
         number(near),
         before.corners().len(),

@@ -4,7 +4,7 @@ use common::{Vec2, Vec3, Vec4Swizzles};
 use filtering::footprint::{Axes, Gradients};
 use filtering::{Footprint, level};
 use perspective::{perspective, view, window};
-use sheet::{BLUE, FAINT, GREY, ORANGE, PALE, SKY, Sheet};
+use sheet::{BLUE, FAINT, GREY, PALE, SKY, Sheet};
 
 use crate::{Drawing, Figure, Input, Values, View, number};
 
@@ -16,7 +16,7 @@ pub(crate) const FOOTPRINTS: Figure = Figure {
            that is nearest to the footprint's size.",
     inputs: &[Input::Point {
         label: "The pixel",
-        from: [4.5, 1.5],
+        from: [7.5, 3.5],
         low: [0.5, 0.5],
         high: [23.5, 6.5],
         step: 1.0,
@@ -86,7 +86,6 @@ fn footprints(mut values: Values) -> View {
     }
     let Footprint { x: a, y: b } = in_texels;
     sheet.polygon(&[-a - b, a - b, a + b, b - a].map(|p| middle + p / 2.0), SKY, BLUE);
-    sheet.dot(middle, ORANGE);
     sheet.text((middle.x, -4.4), "floor, from above", GREY);
     let Axes { major, minor, .. } = in_texels.axes();
     let finer = level.max(0.0).floor();

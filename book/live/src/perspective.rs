@@ -10,7 +10,8 @@ use crate::{Drawing, Figure, Input, Values, View, number};
 pub(crate) const FLOOR: Figure = Figure {
     name: "perspective-floor",
     stays: false,
-    hint: "Make the far side of the floor r times as far away as the near one. Choose another method for the left picture.",
+    hint: "Make the far side of the floor r times as far away as the near one. Choose another method for the left picture: each \
+           row of this floor has one depth, so that a division now and then is enough.",
     inputs: &[
         Input::Slider { label: "r", from: 3.0, range: [1.1, 12.0], step: 0.1 },
         Input::Choice { label: "Left", rows: || Method::rows(METHODS), from: "affine" },

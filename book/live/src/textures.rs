@@ -11,7 +11,7 @@ pub(crate) const STRIPS: Figure = Figure {
     name: "textures-strips",
     stays: false,
     hint: "Move u past the texture's borders, at 0 and 1, and over those of its texels.",
-    inputs: &[Input::Slider { label: "u", from: 0.9, range: [-0.5, 1.5], step: 0.025 }],
+    inputs: &[Input::Slider { label: "u", from: 0.95, range: [-0.5, 1.5], step: 0.025 }],
     draw: looked_up,
 };
 
@@ -35,9 +35,9 @@ pub fn strips() -> Sheet {
         let low = low_of(n);
         let at = |step: i32| step as f32 / (4 * STEPS) as f32;
         let found = |step: i32| (method.run.sample)(&row, Vec2::new(at(step) + at(1) / 2.0, 0.25)).r;
-        let mut begin = -2 * STEPS;
-        let end = 6 * STEPS;
-        for step in begin..end {
+        let (first, end) = (-2 * STEPS, 6 * STEPS);
+        let mut begin = first;
+        for step in first..end {
             if step + 1 == end || found(step + 1) != found(begin) {
                 let [left, right] = [begin, step + 1].map(at);
                 let fill = found(begin).checked_sub(1).map_or(BLACK, |texel| INKS[usize::from(texel)]);
@@ -70,7 +70,7 @@ fn looked_up(mut values: Values) -> View {
     let mut sheet = strips();
     sheet.line((u, -0.02), (u, 1.6), BLUE, 3.0);
     let found = |(n, method): (usize, &common::Method<textures::Sampler>)| {
-        sheet.dot((u, low_of(n) + 0.14), BLUE);
+        sheet.dot((u, low_of(n)), BLUE);
         match (method.run.sample)(&row, Vec2::new(u, 0.25)).r {
             0 => format!("none by {}", method.name),
             texel => format!("{} by {}", texel - 1, method.name),

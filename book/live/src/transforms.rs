@@ -189,7 +189,7 @@ fn gimbal(mut values: Values) -> View {
     let [yaw, pitch, roll] = [values.number(), values.number(), values.number()];
     let view = lookat(Vec3::new(2.4, 1.3, 2.6), Vec3::ZERO, Vec3::Y).unwrap_or_default();
     let see = |point: Vec3| (view * point.extend(1.0)).truncate().truncate();
-    let mut sheet = Sheet::new((-3.2, -2.0), (3.2, 2.3));
+    let mut sheet = Sheet::new((-2.65, -1.75), (2.65, 2.15));
     // What the rings carry: the letter, in the plane of the inner one.
     let inside = euler(Vec3::new(pitch, yaw, roll));
     let letter = LETTER.map(|(x, y)| see(inside * (Vec3::new(x - 0.5, y - 0.75, 0.0) * 0.75)));
