@@ -134,18 +134,21 @@ fn shared(mut values: Values) -> View {
         (least, most, farthest) = (least.min(mass), most.max(mass), farthest.max(above.abs()));
         drawn += 1;
     }
-    let told = format!(
-        "{}: there are pixels in {drawn} of {} {}; of each, between {} px and {} px are covered, and the centre of mass is up to \
-         {} px from the line. All pixels together are {} px, and the segment is {} px long.",
-        method.name,
-        steps.length + 1,
-        if steps.steep { "rows" } else { "columns" },
-        number(least),
-        number(most),
-        number(farthest),
-        number(pixels.values().map(|&coverage| f32::from(coverage)).sum::<f32>() / 255.0),
-        number((b - a).as_vec2().length()),
-    );
+    let (places, many) = (steps.length + 1, if steps.steep { "rows" } else { "columns" });
+    let name = method.name;
+    let told = if drawn == 0 {
+        format!("{name}: there are no pixels in any of {places} {many}.")
+    } else {
+        format!(
+            "{name}: there are pixels in {drawn} of {places} {many}; of each, between {} px and {} px are covered, and the centre \
+             of mass is up to {} px from the line. All pixels together are {} px, and the segment is {} px long.",
+            number(least),
+            number(most),
+            number(farthest),
+            number(pixels.values().map(|&coverage| f32::from(coverage)).sum::<f32>() / 255.0),
+            number((b - a).as_vec2().length()),
+        )
+    };
     View { drawing: Drawing::Sheet(sheet), told, table: vec![steps.head(), covered, height] }
 }
 

@@ -125,7 +125,7 @@ fn fighting(mut values: Values) -> View {
     // Levels from the farthest depth, −1, to the nearest, 1.
     let steps = |levels: i32| number(gap * (levels - 2) as f32 / 2.0);
     let told = format!(
-        "The amber surface is nearer everywhere, by {} steps of z16, or {} of z24. {told}",
+        "The amber surface should be nearer everywhere, by {} steps of z16, or {} of z24. {told}",
         steps(1 << 16),
         steps(1 << 24),
     );
