@@ -20,12 +20,7 @@ pub(crate) const EDGE: Figure = Figure {
             range: [-180.0, 180.0],
             step: 1.0,
         },
-        Input::Slider {
-            label: "How far it is from the middle, in px",
-            from: 0.1,
-            range: [-0.7, 0.7],
-            step: 0.01,
-        },
+        Input::Slider { label: "From the middle, in px", from: 0.1, range: [-0.7, 0.7], step: 0.01 },
     ],
     draw: edge,
 };
