@@ -4,7 +4,8 @@
 {
     const here = document.currentScript.src;
     const still = [...document.querySelectorAll("figure[data-live]")];
-    if (still.length && typeof WebAssembly === "object" && !location.pathname.endsWith("/print.html")) {
+    const runs = typeof WebAssembly === "object" && typeof DecompressionStream === "function";
+    if (still.length && runs && !location.pathname.endsWith("/print.html")) {
         // live-code.js calls it: a page that is opened as a file may load scripts, but fetch nothing.
         globalThis.liveFigures = begin;
         const script = document.createElement("script");
@@ -14,8 +15,9 @@
 
     /// Sets all figures of the page going.
     async function begin({ figures, style, code }) {
-        const bytes = Uint8Array.from(atob(code), (letter) => letter.charCodeAt(0));
-        const { instance } = await WebAssembly.instantiate(bytes, {});
+        const packed = new Blob([Uint8Array.from(atob(code), (letter) => letter.charCodeAt(0))]);
+        const unpacked = new Response(packed.stream().pipeThrough(new DecompressionStream("deflate")));
+        const { instance } = await WebAssembly.instantiate(await unpacked.arrayBuffer(), {});
         document.head.append(element("style", { textContent: style }));
         for (const figure of still) {
             const n = figures.findIndex(({ name }) => name === figure.dataset.live);

@@ -1,6 +1,4 @@
-//! The head, turned, by the methods of several chapters.
-//!
-//! It is the head in the fewest triangles that there is, 638.
+//! The head, turned: the model of many figures, in the fewest triangles that there is, 638.
 
 use std::sync::LazyLock;
 
@@ -9,74 +7,26 @@ use gouraud::{Scene, Wrap, gouraud};
 use perspective::scene::Loaded;
 use transforms::affine::euler;
 use transforms::place;
-use triangles::{draw_model, flat_intensity};
+use triangles::flat_intensity;
 
-use crate::{Drawing, Figure, Input, Values, View, packed, whole};
+use crate::{Drawing, Input, View, packed, whole};
 
 /// Width and height of the pictures.
 pub(crate) const SIDE: u16 = 360;
 /// The head's size, so that it stays within them however it is turned.
 const SIZE: f32 = 0.86;
 
+pub(crate) const HINT: &str = "Turn the head by dragging it, or by the sliders. Choose another method.";
+pub(crate) const TURN: Input = Input::Turn { from: [25.0, 0.0] };
+
 /// The head as it stands.
 pub(crate) static HEAD: LazyLock<Loaded> =
     LazyLock::new(|| packed::loaded(packed::HEAD, packed::texture(), Wrap::Clamp));
 
-const HINT: &str = "Turn the head by dragging it, or by the sliders. Choose another method.";
-const TURN: Input = Input::Turn { from: [25.0, 0.0] };
-
-/// Lesson 3's head, which knows no depth: the later triangle covers the earlier one.
-pub(crate) const TRIANGLES: Figure = Figure {
-    name: "triangles-head",
-    stays: true,
-    hint: HINT,
-    inputs: &[
-        TURN,
-        Input::Choice { label: "Method", rows: || Method::rows(triangles::METHODS), from: "edges" },
-    ],
-    draw: |values| {
-        drawn(values, triangles::METHODS, |method, head, image| {
-            draw_model(&head.model, method, image, |_, corners| {
-                let intensity = flat_intensity(corners, Vec3::Z);
-                (intensity >= 0.0).then(|| Color::gray(intensity))
-            });
-        })
-    },
-};
-
-/// Lesson 4's head.
-pub(crate) const ZBUFFER: Figure = Figure {
-    name: "zbuffer-head",
-    stays: true,
-    hint: HINT,
-    inputs: &[
-        TURN,
-        Input::Choice { label: "Method", rows: || Method::rows(zbuffer::METHODS), from: "z-f32" },
-    ],
-    draw: |values| {
-        drawn(values, zbuffer::METHODS, |method, head, image| {
-            let surfaces = zbuffer::surfaces(&head.model, Vec3::Z, image);
-            (method.draw)(&surfaces, image);
-        })
-    },
-};
-
-/// Lesson 6's head, white instead of textured.
-pub(crate) const GOURAUD: Figure = Figure {
-    name: "gouraud-three",
-    stays: true,
-    hint: HINT,
-    inputs: &[
-        TURN,
-        Input::Choice { label: "Method", rows: || Method::rows(gouraud::METHODS), from: "gouraud" },
-    ],
-    draw: |values| {
-        drawn(values, gouraud::METHODS, |method, head, image| {
-            let Turned { model, normals } = head;
-            method(&Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light: Vec3::Z }, image);
-        })
-    },
-};
+/// A table of methods, to be chosen from.
+pub(crate) const fn method(rows: fn() -> Vec<Method<()>>, from: &'static str) -> Input {
+    Input::Choice { label: "Method", rows, from }
+}
 
 /// The model turned, the normals with it.
 pub(crate) struct Turned {
@@ -98,18 +48,21 @@ impl Turned {
     /// A picture of it, smoothly lit, its points placed by a matrix.
     pub(crate) fn placed(&self, m: &Mat4, light: Vec3) -> Image {
         let Self { model, normals } = self;
-        let scene = Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light };
-        let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-        gouraud(&scene, &mut image, |point| place(m, point));
-        image
+        smooth(&Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light }, m)
+    }
+
+    /// How many of its triangles face an eye in front of it, told.
+    pub(crate) fn facing(&self) -> String {
+        let towards = self.model.faces().filter(|&corners| flat_intensity(corners, Vec3::Z) > 0.0).count();
+        format!("{towards} of its {} triangles face the eye", self.model.triangles().len())
     }
 }
 
-/// One white texel.
-pub(crate) fn white() -> Image {
-    let mut texture = Image::new(1, 1, Format::Rgb);
-    texture.set(0, 0, Color::WHITE);
-    texture
+/// A picture of a scene, smoothly lit, its points placed by a matrix.
+pub(crate) fn smooth(scene: &Scene, m: &Mat4) -> Image {
+    let mut image = canvas(SIDE);
+    gouraud(scene, &mut image, |point| place(m, point));
+    image
 }
 
 /// A model with its positions moved.
@@ -122,19 +75,27 @@ fn moved(model: &Model, to: impl Fn(Vec3) -> Vec3) -> Model {
         .expect("what is moved is as sound as before")
 }
 
-/// The head turned, drawn by the method chosen.
-fn drawn<F>(mut values: Values, table: &'static [Method<F>], draw: impl Fn(&F, &Turned, &mut Image)) -> View {
-    let [right, down] = [values.number(), values.number()];
-    let method = values.choice(table);
-    let head = Turned::by([right, down]);
-    let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-    draw(&method.run, &head, &mut image);
-    let towards = head.model.faces().filter(|&corners| flat_intensity(corners, Vec3::Z) > 0.0).count();
-    let [right, down] = [right, down].map(whole);
-    let told = format!(
-        "{}: the head, turned by {right}° to the right and {down}° down; {towards} of its {} triangles face the eye.",
-        method.name,
-        head.model.triangles().len(),
-    );
+/// An eye at a distance from a centre, where what is there is seen turned by so many degrees to the right and down.
+pub(crate) fn eye(center: Vec3, distance: f32, turn: [f32; 2]) -> Vec3 {
+    let [right, down] = turn.map(|degrees| degrees.to_radians().sin_cos());
+    center + distance * Vec3::new(-right.0 * down.1, down.0, right.1 * down.1)
+}
+
+/// A picture with nothing in it yet.
+pub(crate) fn canvas(side: u16) -> Image {
+    Image::new(side, side, Format::Rgb)
+}
+
+/// A texture of one white texel.
+pub(crate) fn white() -> Image {
+    let mut texture = canvas(1);
+    texture.set(0, 0, Color::WHITE);
+    texture
+}
+
+/// A picture of what was turned, by methods of these names, and what else is to be told of it.
+pub(crate) fn view(image: Image, methods: &str, what: &str, turn: [f32; 2], rest: &str) -> View {
+    let [right, down] = turn.map(whole);
+    let told = format!("{methods}: {what}, turned by {right}° to the right and {down}° down; {rest}.");
     View { drawing: Drawing::Pixels(image), told, table: Vec::new() }
 }

@@ -7,7 +7,7 @@
 //! turned. Its function takes their values in the same order, calls the lesson, and returns a [`View`]: a
 //! [`Sheet`](sheet::Sheet), as still figures are drawn on, or a picture of pixels; a sentence that says what is to be seen, and
 //! perhaps a table of numbers. The first values should give what the still figure shows. `lines` has one with points and a
-//! choice, `head` one that is turned.
+//! choice, `heads` have the head, which is turned.
 //!
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and
@@ -21,10 +21,12 @@ mod clipping;
 mod filtering;
 mod gouraud;
 mod head;
+mod heads;
 mod input;
 mod lines;
 mod packed;
 mod perspective;
+mod scenes;
 mod textures;
 mod transforms;
 mod triangles;
@@ -40,26 +42,37 @@ pub use view::{Drawing, Rendered, View};
 pub const FIGURES: &[Figure] = &[
     lines::IDEAL,
     lines::WU,
+    heads::WIREFRAME,
     triangles::SWEEP,
     triangles::AREAS,
     triangles::SIGN,
     triangles::TOP_LEFT,
-    head::TRIANGLES,
-    head::ZBUFFER,
+    heads::TRIANGLES,
+    heads::ZBUFFER,
     zbuffer::CUT,
     zbuffer::FIGHTING,
+    heads::TEXTURES,
     textures::STRIPS,
-    head::GOURAUD,
+    heads::GOURAUD,
     gouraud::LIGHT,
     gouraud::COARSE,
+    heads::TRANSFORMS,
     transforms::HOMOGENEOUS,
     transforms::ORDER,
     transforms::GIMBAL,
     transforms::DISTANCES,
+    heads::CAMERA,
     camera::POLE,
+    heads::SHADERS,
+    scenes::PERSPECTIVE,
     perspective::FLOOR,
+    scenes::CLIPPING,
     clipping::CASES,
+    scenes::LIGHTING,
+    scenes::FILTERING,
     filtering::FOOTPRINTS,
+    scenes::BLENDING,
+    scenes::ANTIALIASING,
     antialiasing::EDGE,
 ];
 
