@@ -115,7 +115,7 @@ pub(crate) const TRANSFORMS: Figure = Figure {
            circle, and once back by the sum. Choose how that is computed.",
     inputs: &[
         TURN,
-        Input::Slider { label: "Rotations: 10ⁿ, n", from: 3.0, range: [3.0, 6.0], step: 1.0 },
+        Input::Slider { label: "Rotations: 10ⁿ, n", from: 3.0, range: [3.0, 5.0], step: 1.0 },
         method(|| Method::rows(transforms::METHODS), "f32"),
     ],
     draw: composed,
