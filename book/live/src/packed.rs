@@ -172,7 +172,7 @@ mod tests {
 
     fn write(bytes: &mut Vec<u8>, vectors: &[Vec3], numbers: Vec<usize>) {
         bytes.extend(u16::try_from(3 * vectors.len()).unwrap().to_le_bytes());
-        bytes.extend(vectors.iter().flat_map(|vector| vector.to_array()).flat_map(f32::to_le_bytes));
+        bytes.extend(vectors.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes));
         bytes.extend(u16::try_from(numbers.len()).unwrap().to_le_bytes());
         bytes.extend(numbers.into_iter().flat_map(|number| u16::try_from(number).unwrap().to_le_bytes()));
     }
