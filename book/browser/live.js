@@ -98,6 +98,8 @@ async function dragged(figure, page, part, fault) {
     const [{ kind, from, low, high }] = figure.inputs;
     const grip = { point: ".live-handle", turn: ".live-picture", slider: "input[type=range]" }[kind];
     const before = await shown(part);
+    // Below a large still figure it may be out of sight.
+    await part.locator(grip).first().scrollIntoViewIfNeeded();
     const { x, y, width, height } = await part.locator(grip).first().boundingBox();
     // A slider is taken where its thumb is, which is 16 px wide.
     const share = kind === "slider" ? (from[0] - low) / (high - low) : 1 / 2;
