@@ -109,13 +109,15 @@ fn looks(class: &Class, marks: Option<&Marks>) -> String {
     let lines = looks.iter().map(|(name, lessons, look)| format!("  {name}, {lessons}: {look}\n"));
     let head = (!looks.is_empty()).then(|| "look here: not graded, which is no 0\n".to_string());
     let late = late(class, marks);
-    let late = (!late.is_empty()).then(|| format!("look here: {LATE}\n  {}\n", late.join(", ")));
+    let late = (!late.is_empty()).then(|| {
+        format!(
+            "look here: Canvas marks as late, without a time, from whom no day was taken; \
+             --submitted says when that was\n  {}\n",
+            late.join(", ")
+        )
+    });
     head.into_iter().chain(lines).chain(late).collect()
 }
-
-/// What is said of those that Canvas marked as late.
-const LATE: &str =
-    "Canvas marks as late, without a time, from whom no day was taken; --submitted says when that was";
 
 /// Those that Canvas marked as late, but of which the rules know no late day.
 fn late<'a>(class: &'a Class, marks: Option<&Marks>) -> Vec<&'a str> {

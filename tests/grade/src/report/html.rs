@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use askama::Template;
 
 use super::numbers::{self, Count};
-use super::{LATE, counted, late, points, student};
+use super::{counted, late, points, student};
 use crate::marks::{self, Marks, decimal};
 use crate::proof::Wall;
 use crate::results::{Class, Lesson, Look, total};
