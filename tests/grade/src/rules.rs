@@ -154,7 +154,7 @@ pub(crate) struct Flags {
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     /// When was handed in what: a CSV file with the columns submission, lesson, submitted; or Moodle's grading worksheet, or
-    /// Gradescope's submission_metadata.yml.
+    /// Gradescope's metadata, `submission_metadata.yml`.
     #[arg(long, value_name = "FILE", requires = "rules")]
     submitted: Option<PathBuf>,
     /// The time zone of Moodle's worksheet, as in Europe/Berlin: times there are in that of who downloaded it.
