@@ -61,8 +61,9 @@ async function check(figure, address) {
         const part = page.locator(`figure[data-live="${figure.name}"]`);
         await part.locator(".live").waitFor({ timeout: 10_000 });
         await part.scrollIntoViewIfNeeded();
-        const stays = figure.inputs.some(({ kind }) => kind === "turn");
-        if (await part.locator(":scope > img").isVisible() !== stays) fault(`the still figure ${stays ? "is gone" : "is there as well"}`);
+        if (await part.locator(":scope > img").isVisible() !== figure.stays) {
+            fault(`the still figure ${figure.stays ? "is gone" : "is there as well"}`);
+        }
         await shoot(part, page, `${figure.name}-${width}`);
         await dragged(figure, page, part, fault);
         await keyed(page, part, fault);
@@ -97,6 +98,8 @@ async function dragged(figure, page, part, fault) {
     const [{ kind, from, low, high }] = figure.inputs;
     const grip = { point: ".live-handle", turn: ".live-picture", slider: "input[type=range]" }[kind];
     const before = await shown(part);
+    // Below a large still figure it may be out of sight.
+    await part.locator(grip).first().scrollIntoViewIfNeeded();
     const { x, y, width, height } = await part.locator(grip).first().boundingBox();
     // A slider is taken where its thumb is, which is 16 px wide.
     const share = kind === "slider" ? (from[0] - low) / (high - low) : 1 / 2;

@@ -1,15 +1,18 @@
 //! The code of the figures that move, for the pages: the lessons compiled to WebAssembly, in a script.
 //!
-//! It is a script, `live-code.js`, with the code in base64, since a page that is opened as a file may load scripts but not
-//! fetch. With the code it has what the page's script, `theme/live.js`, must know of the figures, and the shades of their
+//! It is a script, `live-code.js`, with the code compressed and in base64, since a page that is opened as a file may load scripts
+//! but not fetch. With the code it has what the page's script, `theme/live.js`, must know of the figures, and the shades of their
 //! colours on a dark page.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, bail, ensure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use live::{FIGURES, Figure, Input};
 use serde_json::{Value, json};
 
@@ -17,7 +20,7 @@ use crate::cargo::cargo;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The code of all figures is no larger: a page loads it whole.
+/// The code of all figures, compressed, is no larger: a page loads it whole.
 const LIMIT: usize = 400 * 1024;
 
 /// For `wasm-opt`: by speed, with what the compiler uses of WebAssembly, which every browser has had since 2022.
@@ -36,7 +39,7 @@ const OPTIMISE: [&str; 5] = [
 /// Where the code does not compile or is too large, or a file cannot be written.
 pub(crate) fn write(out: &Path) -> anyhow::Result<()> {
     let script = match code()? {
-        Some(code) => script(&code),
+        Some(code) => script(&compressed(&code)?),
         None => {
             println!("The figures stay still: to see them move, rustup target add {TARGET}");
             "// The figures stay still: their code was not compiled.\n".into()
@@ -46,7 +49,20 @@ pub(crate) fn write(out: &Path) -> anyhow::Result<()> {
     std::fs::write(&path, script).with_context(|| path.display().to_string())
 }
 
-/// The script for that code.
+/// The code as it is loaded: of the lessons' loops many are alike, and there are as many as methods.
+fn compressed(code: &[u8]) -> anyhow::Result<Vec<u8>> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(code)?;
+    let compressed = encoder.finish()?;
+    let size = compressed.len();
+    ensure!(
+        size <= LIMIT,
+        "the code of the figures that move has {size} bytes when compressed, more than {LIMIT}"
+    );
+    Ok(compressed)
+}
+
+/// The script for that code, compressed.
 fn script(code: &[u8]) -> String {
     let figures: Vec<Value> = FIGURES.iter().map(figure).collect();
     let style = sheet::shades(".navy .live-drawing ");
@@ -57,7 +73,7 @@ fn script(code: &[u8]) -> String {
 /// What the page's script must know of a figure.
 fn figure(figure: &Figure) -> Value {
     let inputs: Vec<Value> = figure.inputs.iter().map(input).collect();
-    json!({ "name": figure.name, "hint": figure.hint, "inputs": inputs })
+    json!({ "name": figure.name, "stays": figure.stays, "hint": figure.hint, "inputs": inputs })
 }
 
 fn input(input: &Input) -> Value {
@@ -91,13 +107,7 @@ fn code() -> anyhow::Result<Option<Vec<u8>>> {
     let small = folder.path().join("small.wasm");
     let optimised = Command::new("wasm-opt").args(OPTIMISE).arg(&compiled).arg("-o").arg(&small).output();
     let file = if optimised.is_ok_and(|output| output.status.success()) { small } else { compiled };
-    let code = std::fs::read(&file).with_context(|| file.display().to_string())?;
-    ensure!(
-        code.len() <= LIMIT,
-        "the code of the figures that move has {} bytes, more than {LIMIT}",
-        code.len()
-    );
-    Ok(Some(code))
+    std::fs::read(&file).with_context(|| file.display().to_string()).map(Some)
 }
 
 /// Whether the compiler has the standard library for WebAssembly.

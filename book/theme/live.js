@@ -4,7 +4,8 @@
 {
     const here = document.currentScript.src;
     const still = [...document.querySelectorAll("figure[data-live]")];
-    if (still.length && typeof WebAssembly === "object" && !location.pathname.endsWith("/print.html")) {
+    const runs = typeof WebAssembly === "object" && typeof DecompressionStream === "function";
+    if (still.length && runs && !location.pathname.endsWith("/print.html")) {
         // live-code.js calls it: a page that is opened as a file may load scripts, but fetch nothing.
         globalThis.liveFigures = begin;
         const script = document.createElement("script");
@@ -14,8 +15,9 @@
 
     /// Sets all figures of the page going.
     async function begin({ figures, style, code }) {
-        const bytes = Uint8Array.from(atob(code), (letter) => letter.charCodeAt(0));
-        const { instance } = await WebAssembly.instantiate(bytes, {});
+        const packed = new Blob([Uint8Array.from(atob(code), (letter) => letter.charCodeAt(0))]);
+        const unpacked = new Response(packed.stream().pipeThrough(new DecompressionStream("deflate")));
+        const { instance } = await WebAssembly.instantiate(await unpacked.arrayBuffer(), {});
         document.head.append(element("style", { textContent: style }));
         for (const figure of still) {
             const n = figures.findIndex(({ name }) => name === figure.dataset.live);
@@ -34,7 +36,7 @@
     }
 
     /// Puts a figure that moves in the place of a still one.
-    function move(figure, { name, hint, inputs }, render) {
+    function move(figure, { name, stays, hint, inputs }, render) {
         const image = figure.querySelector("img");
         const drawing = element("div", { className: "live-drawing", role: "img", ariaLabel: image.alt });
         const picture = element("div", { className: "live-picture" }, drawing);
@@ -82,8 +84,7 @@
         const reset = element("button", { type: "button", textContent: "As at first" });
         reset.addEventListener("click", () => change(0, ...first));
         controls.append(reset);
-        // What is turned is one picture; the still one, whose caption tells of several, stays above it.
-        if (inputs.some(({ kind }) => kind === "turn")) {
+        if (stays) {
             image.after(panel);
         } else {
             image.before(panel);

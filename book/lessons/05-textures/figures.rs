@@ -13,7 +13,7 @@ use crate::figures::picture::{
     all_beside, beside, canvas, chequered, method, model, painted, paste, texture,
 };
 use crate::figures::shape::parsed;
-use crate::figures::sheet::{AMBER, BLACK, BLUE, FAINT, GREY, Ink, MINT, ORANGE, PALE, ROSE, SKY, Sheet};
+use crate::figures::sheet::{BLACK, BLUE, GREY, ORANGE, PALE, SKY, Sheet};
 use crate::figures::{Drawing, Figure};
 
 pub(crate) const FIGURES: &[Figure] = &[
@@ -51,7 +51,7 @@ pub(crate) const FIGURES: &[Figure] = &[
         "The same row of four texels as four methods see it, from u = −½ to 1½. Truncate is black from 1 on and \
          begins a quarter early; round lies half a texel to the left; nearest goes on with the border's texels; \
          repeat begins again.",
-        strips,
+        || live::strips().finish(),
     ),
     Figure::new(
         "textures-borders",
@@ -175,40 +175,6 @@ fn texels() -> anyhow::Result<Drawing> {
     sheet.text((-0.8, 1.5), "v", BLUE);
     sheet.dot((2.5, 1.5), ORANGE);
     sheet.text((2.5, 1.75), "(⅝, ½)", ORANGE);
-    sheet.finish()
-}
-
-/// What the methods find along a row of four texels.
-fn strips() -> anyhow::Result<Drawing> {
-    const INKS: [Ink; 4] = [SKY, AMBER, MINT, ROSE];
-    let row = painted(4, 1, |x, _| Color::rgb(x as u8 + 1, 0, 0));
-    let at = Vec2::new;
-    let mut sheet = Sheet::new((-0.92, -0.25), (1.56, 1.62));
-    for (n, method) in METHODS.iter().enumerate() {
-        let low = 1.26 - 0.4 * n as f32;
-        let found = |step: i32| (method.run.sample)(&row, at((step as f32 + 0.5) / 64.0, 0.25)).r;
-        let mut begin = -32;
-        for step in -32..96 {
-            if step == 95 || found(step + 1) != found(begin) {
-                let [left, right] = [begin, step + 1].map(|step| step as f32 / 64.0);
-                let fill = match found(begin) {
-                    0 => BLACK,
-                    texel => INKS[usize::from(texel) - 1],
-                };
-                sheet.rectangle((left, low), (right, low + 0.28), fill, "none");
-                if fill != BLACK && right - left > 0.1 {
-                    sheet.text(((left + right) / 2.0, low + 0.14), &(found(begin) - 1).to_string(), BLACK);
-                }
-                begin = step + 1;
-            }
-        }
-        sheet.text_left_of((-0.55, low + 0.14), method.name, BLACK);
-    }
-    for (u, name) in [(-0.5, "−½"), (0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1"), (1.5, "1½")]
-    {
-        sheet.dashed((u, 0.0), (u, 1.58), if u == 0.0 || u == 1.0 { ORANGE } else { FAINT }, 1.5);
-        sheet.text((u, -0.13), name, if u == 0.0 || u == 1.0 { ORANGE } else { BLACK });
-    }
     sheet.finish()
 }
 

@@ -1,85 +1,32 @@
-//! The head, turned, by the methods of several chapters.
-//!
-//! It is the head in the fewest triangles that there is, 638, in the form of an OBJ file, which the course's own reader reads
-//! when the first picture is drawn.
+//! The head, turned: the model of many figures, in the fewest triangles that there is, 638.
 
 use std::sync::LazyLock;
 
-use common::{Attributes, Color, Format, Image, Method, Model, Vec2, Vec3};
-use gouraud::{Scene, Wrap, corner_normals};
+use common::{Color, Format, Image, Mat4, Method, Model, Vec3};
+use gouraud::{Scene, Wrap, gouraud};
+use perspective::scene::Loaded;
 use transforms::affine::euler;
-use triangles::{draw_model, flat_intensity};
+use transforms::place;
+use triangles::flat_intensity;
 
-use crate::{Drawing, Figure, Input, Values, View};
+use crate::{Drawing, Input, View, packed, whole};
 
 /// Width and height of the pictures.
 pub(crate) const SIDE: u16 = 360;
 /// The head's size, so that it stays within them however it is turned.
 const SIZE: f32 = 0.86;
 
-/// The model and its corners' normals.
-static HEAD: LazyLock<(Model, Vec<[Vec3; 3]>)> = LazyLock::new(|| {
-    let wanted = Attributes { normals: true, uvs: false };
-    let model =
-        Model::parse(include_bytes!("../../../assets/head-low.obj"), wanted).expect("it is one of ours");
-    let normals = corner_normals(&model);
-    (model, normals)
-});
+pub(crate) const HINT: &str = "Turn the head by dragging it, or by the sliders. Choose another method.";
+pub(crate) const TURN: Input = Input::Turn { from: [25.0, 0.0] };
 
-const HINT: &str = "Turn the head by dragging it, or by the sliders. Choose another method.";
-const TURN: Input = Input::Turn { from: [25.0, 0.0] };
+/// The head as it stands.
+pub(crate) static HEAD: LazyLock<Loaded> =
+    LazyLock::new(|| packed::loaded(packed::HEAD, packed::texture(), Wrap::Clamp));
 
-/// Lesson 3's head, which knows no depth: the later triangle covers the earlier one.
-pub(crate) const TRIANGLES: Figure = Figure {
-    name: "triangles-head",
-    hint: HINT,
-    inputs: &[
-        TURN,
-        Input::Choice { label: "Method", rows: || Method::rows(triangles::METHODS), from: "edges" },
-    ],
-    draw: |values| {
-        drawn(values, triangles::METHODS, |method, head, image| {
-            draw_model(&head.model, method, image, |_, corners| {
-                let intensity = flat_intensity(corners, Vec3::Z);
-                (intensity >= 0.0).then(|| Color::gray(intensity))
-            });
-        })
-    },
-};
-
-/// Lesson 4's head.
-pub(crate) const ZBUFFER: Figure = Figure {
-    name: "zbuffer-head",
-    hint: HINT,
-    inputs: &[
-        TURN,
-        Input::Choice { label: "Method", rows: || Method::rows(zbuffer::METHODS), from: "z-f32" },
-    ],
-    draw: |values| {
-        drawn(values, zbuffer::METHODS, |method, head, image| {
-            let surfaces = zbuffer::surfaces(&head.model, Vec3::Z, image);
-            (method.draw)(&surfaces, image);
-        })
-    },
-};
-
-/// Lesson 6's head, white instead of textured.
-pub(crate) const GOURAUD: Figure = Figure {
-    name: "gouraud-three",
-    hint: HINT,
-    inputs: &[
-        TURN,
-        Input::Choice { label: "Method", rows: || Method::rows(gouraud::METHODS), from: "gouraud" },
-    ],
-    draw: |values| {
-        drawn(values, gouraud::METHODS, |method, head, image| {
-            let mut texture = Image::new(1, 1, Format::Rgb);
-            texture.set(0, 0, Color::WHITE);
-            let Turned { model, normals, .. } = head;
-            method(&Scene { model, normals, texture: &texture, wrap: Wrap::Clamp, light: Vec3::Z }, image);
-        })
-    },
-};
+/// A table of methods, to be chosen from.
+pub(crate) const fn method(rows: fn() -> Vec<Method<()>>, from: &'static str) -> Input {
+    Input::Choice { label: "Method", rows, from }
+}
 
 /// The model turned, the normals with it.
 pub(crate) struct Turned {
@@ -91,31 +38,64 @@ impl Turned {
     /// By so many degrees to the right and down.
     pub(crate) fn by([right, down]: [f32; 2]) -> Self {
         let turn = euler(Vec3::new(down, right, 0.0));
-        let (model, normals) = &*HEAD;
-        let positions = model.positions().iter().map(|&position| turn * position * SIZE).collect();
-        // One texel serves all corners.
-        let turned = Model::from_triangles(positions, model.triangles().to_vec())
-            .and_then(|turned| turned.with_uvs(vec![Vec2::ZERO], vec![[0; 3]; model.triangles().len()]));
+        let Loaded { model, normals, .. } = &*HEAD;
         Self {
-            model: turned.expect("what is turned is as sound as before"),
+            model: moved(model, |position| turn * position * SIZE),
             normals: normals.iter().map(|corners| corners.map(|normal| turn * normal)).collect(),
         }
     }
+
+    /// A picture of it, smoothly lit, its points placed by a matrix.
+    pub(crate) fn placed(&self, m: &Mat4, light: Vec3) -> Image {
+        let Self { model, normals } = self;
+        smooth(&Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light }, m)
+    }
+
+    /// How many of its triangles face an eye in front of it, told.
+    pub(crate) fn facing(&self) -> String {
+        let towards = self.model.faces().filter(|&corners| flat_intensity(corners, Vec3::Z) > 0.0).count();
+        format!("{towards} of its {} triangles face the eye", self.model.triangles().len())
+    }
 }
 
-/// The head turned, drawn by the method chosen.
-fn drawn<F>(mut values: Values, table: &'static [Method<F>], draw: impl Fn(&F, &Turned, &mut Image)) -> View {
-    let [right, down] = [values.number(), values.number()];
-    let method = values.choice(table);
-    let head = Turned::by([right, down]);
-    let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-    draw(&method.run, &head, &mut image);
-    let towards = head.model.faces().filter(|&corners| flat_intensity(corners, Vec3::Z) > 0.0).count();
-    let [right, down] = [right, down].map(|degrees| degrees.to_string().replace('-', "−"));
-    let told = format!(
-        "{}: the head, turned by {right}° to the right and {down}° down; {towards} of its {} triangles face the eye.",
-        method.name,
-        head.model.triangles().len(),
-    );
+/// A picture of a scene, smoothly lit, its points placed by a matrix.
+pub(crate) fn smooth(scene: &Scene, m: &Mat4) -> Image {
+    let mut image = canvas(SIDE);
+    gouraud(scene, &mut image, |point| place(m, point));
+    image
+}
+
+/// A model with its positions moved.
+fn moved(model: &Model, to: impl Fn(Vec3) -> Vec3) -> Model {
+    let positions = model.positions().iter().map(|&position| to(position)).collect();
+    let uvs = model.face_uvs().flatten().collect();
+    let corners = (0..model.triangles().len() as u32).map(|face| [0, 1, 2].map(|corner| 3 * face + corner));
+    Model::from_triangles(positions, model.triangles().to_vec())
+        .and_then(|moved| moved.with_uvs(uvs, corners.collect()))
+        .expect("what is moved is as sound as before")
+}
+
+/// An eye at a distance from a centre, where what is there is seen turned by so many degrees to the right and down.
+pub(crate) fn eye(center: Vec3, distance: f32, turn: [f32; 2]) -> Vec3 {
+    let [right, down] = turn.map(|degrees| degrees.to_radians().sin_cos());
+    center + distance * Vec3::new(-right.0 * down.1, down.0, right.1 * down.1)
+}
+
+/// A picture with nothing in it yet.
+pub(crate) fn canvas(side: u16) -> Image {
+    Image::new(side, side, Format::Rgb)
+}
+
+/// A texture of one white texel.
+pub(crate) fn white() -> Image {
+    let mut texture = canvas(1);
+    texture.set(0, 0, Color::WHITE);
+    texture
+}
+
+/// A picture of what was turned, by methods of these names, and what else is to be told of it.
+pub(crate) fn view(image: Image, methods: &str, what: &str, turn: [f32; 2], rest: &str) -> View {
+    let [right, down] = turn.map(whole);
+    let told = format!("{methods}: {what}, turned by {right}° to the right and {down}° down; {rest}.");
     View { drawing: Drawing::Pixels(image), told, table: Vec::new() }
 }

@@ -2,12 +2,12 @@
 //!
 //! **To add a figure**, write a [`Figure`] in the file of its lesson and a row of [`FIGURES`]; there is nothing to write in
 //! JavaScript or HTML, and nothing in the chapter. Its name is that of the still figure (a row of `FIGURES` beside the chapter)
-//! in whose place it stands, or below which if it is turned; the still one stays for print, and for readers without scripts.
+//! in whose place it stands, or below which if it stays; the still one is there for print, and for readers without scripts.
 //! Its inputs are what a reader can move: points of the drawing, sliders, choices from a table of methods, a picture that is
 //! turned. Its function takes their values in the same order, calls the lesson, and returns a [`View`]: a
 //! [`Sheet`](sheet::Sheet), as still figures are drawn on, or a picture of pixels; a sentence that says what is to be seen, and
 //! perhaps a table of numbers. The first values should give what the still figure shows. `lines` has one with points and a
-//! choice, `head` one that is turned.
+//! choice, `heads` have the head, which is turned.
 //!
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and
@@ -15,35 +15,73 @@
 //! hundred shapes or 400 × 400 pixels at most. `cargo run -p book` builds the code (`book/src/moving.rs` says how), `package
 //! live-wasm` exports it, `book/theme/live.js` is all that runs in the page besides.
 
+mod antialiasing;
+mod camera;
+mod clipping;
+mod filtering;
+mod gouraud;
 mod head;
+mod heads;
 mod input;
 mod lines;
+mod packed;
+mod perspective;
+mod scenes;
+mod textures;
 mod transforms;
 mod triangles;
 mod view;
+mod zbuffer;
 
 pub use input::{Input, Range, Values};
+pub use textures::strips;
 pub use transforms::LETTER;
 pub use view::{Drawing, Rendered, View};
 
 /// All figures that move. The page's script calls one by its number here.
 pub const FIGURES: &[Figure] = &[
     lines::IDEAL,
+    lines::WU,
+    heads::WIREFRAME,
     triangles::SWEEP,
     triangles::AREAS,
     triangles::SIGN,
     triangles::TOP_LEFT,
-    head::TRIANGLES,
-    head::ZBUFFER,
-    head::GOURAUD,
+    heads::TRIANGLES,
+    heads::ZBUFFER,
+    zbuffer::CUT,
+    zbuffer::FIGHTING,
+    heads::TEXTURES,
+    textures::STRIPS,
+    heads::GOURAUD,
+    gouraud::LIGHT,
+    gouraud::COARSE,
+    heads::TRANSFORMS,
+    transforms::HOMOGENEOUS,
     transforms::ORDER,
+    transforms::GIMBAL,
     transforms::DISTANCES,
+    heads::CAMERA,
+    camera::POLE,
+    heads::SHADERS,
+    scenes::PERSPECTIVE,
+    perspective::FLOOR,
+    scenes::CLIPPING,
+    clipping::CASES,
+    scenes::LIGHTING,
+    scenes::FILTERING,
+    filtering::FOOTPRINTS,
+    scenes::BLENDING,
+    scenes::ANTIALIASING,
+    antialiasing::EDGE,
 ];
 
 /// One figure.
 pub struct Figure {
     /// That of its still figure.
     pub name: &'static str,
+    /// Whether the still figure stays above it: where its caption tells of pictures that this one does not show.
+    pub stays: bool,
     /// What a reader can do, in a sentence or two.
     pub hint: &'static str,
     /// What can be moved.
@@ -73,6 +111,11 @@ impl Figure {
 /// A number with three digits behind the point and a true minus.
 pub(crate) fn number(x: f32) -> String {
     format!("{:.3}", if x.abs() < 0.0005 { 0.0 } else { x }).replace('-', "−")
+}
+
+/// A whole number with a true minus.
+pub(crate) fn whole(x: f32) -> String {
+    x.to_string().replace('-', "−")
 }
 
 #[cfg(test)]

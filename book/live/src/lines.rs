@@ -1,10 +1,10 @@
 //! Lesson 1: lines.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use common::{Bounds, IVec2, Method, Vec2Swizzles};
+use common::{Bounds, IVec2, Method, Vec2, Vec2Swizzles};
 use lines::METHODS;
-use sheet::{AMBER, BLACK, PALE, SKY, Sheet};
+use sheet::{AMBER, BLACK, Ink, ORANGE, PALE, SKY, Sheet};
 
 use crate::{Drawing, Figure, Input, Values, View, number};
 
@@ -14,6 +14,7 @@ const SIZE: IVec2 = IVec2::new(13, 8);
 /// A segment by any method, with f, k and e of each step.
 pub(crate) const IDEAL: Figure = Figure {
     name: "lines-ideal",
+    stays: false,
     hint: "Drag an end of the segment, or move it by the arrow keys. Choose another method.",
     inputs: &[
         end("End a", [0.5, 0.5]),
@@ -29,30 +30,8 @@ const fn end(label: &'static str, from: [f64; 2]) -> Input {
 }
 
 fn ideal(mut values: Values) -> View {
-    let [a, b] = [values.point(), values.point()].map(|end| end.floor().as_ivec2());
-    let method = values.choice(METHODS);
-    let mut plotted: Vec<(IVec2, u8)> = Vec::new();
-    (method.run.visit)(a, b, Bounds::EVERYTHING, &mut |x, y, coverage| {
-        plotted.push((IVec2::new(x, y), coverage));
-    });
-
-    let mut sheet = Sheet::new((-0.5, -0.5), SIZE.as_vec2() + 0.5);
-    sheet.grid((0, 0), SIZE.into());
-    let on_sheet = |pixel: IVec2| pixel.cmpge(IVec2::ZERO).all() && pixel.cmplt(SIZE).all();
-    for &(pixel, coverage) in plotted.iter().filter(|(pixel, _)| on_sheet(*pixel)) {
-        // As much of a pixel as is covered.
-        let half = (f32::from(coverage) / 255.0).sqrt() / 2.0;
-        let center = pixel.as_vec2() + 0.5;
-        sheet.rectangle(
-            center - half,
-            center + half,
-            if pixel == a || pixel == b { AMBER } else { SKY },
-            PALE,
-        );
-    }
-    let [from, to] = [a, b].map(|pixel| pixel.as_vec2() + 0.5);
-    sheet.line(from, to, BLACK, 2.2);
-
+    let Drawn { method, a, b, plotted } = Drawn::of(&mut values);
+    let sheet = drawn_on(&plotted, [a, b], |pixel| if pixel == a || pixel == b { AMBER } else { SKY });
     let steps = Steps::new(a, b);
     let pixels: BTreeSet<(i32, i32)> = plotted.iter().map(|&(pixel, _)| pixel.into()).collect();
     let farthest = plotted.iter().map(|&(pixel, _)| steps.fraction(pixel).abs()).fold(0.0, f32::max);
@@ -70,6 +49,112 @@ fn ideal(mut values: Values) -> View {
         number(farthest),
     );
     View { drawing: Drawing::Sheet(sheet), told, table: steps.table(&plotted) }
+}
+
+/// A segment by a method.
+struct Drawn {
+    method: &'static Method<lines::Line>,
+    a: IVec2,
+    b: IVec2,
+    /// Its pixels with their coverage, as often as the method sets them.
+    plotted: Vec<(IVec2, u8)>,
+}
+
+impl Drawn {
+    fn of(values: &mut Values) -> Self {
+        let [a, b] = [values.point(), values.point()].map(|end| end.floor().as_ivec2());
+        let method = values.choice(METHODS);
+        let mut plotted = Vec::new();
+        (method.run.visit)(a, b, Bounds::EVERYTHING, &mut |x, y, coverage| {
+            plotted.push((IVec2::new(x, y), coverage));
+        });
+        Self { method, a, b, plotted }
+    }
+}
+
+/// Pixels in their colours, and the segment over them.
+fn drawn_on(plotted: &[(IVec2, u8)], ends: [IVec2; 2], fill: impl Fn(IVec2) -> Ink) -> Sheet {
+    let mut sheet = Sheet::new((-0.5, -0.5), SIZE.as_vec2() + 0.5);
+    sheet.grid((0, 0), SIZE.into());
+    let on_sheet = |pixel: IVec2| pixel.cmpge(IVec2::ZERO).all() && pixel.cmplt(SIZE).all();
+    for &(pixel, coverage) in plotted.iter().filter(|(pixel, _)| on_sheet(*pixel)) {
+        // As much of a pixel as is covered.
+        let half = (f32::from(coverage) / 255.0).sqrt() / 2.0;
+        let center = pixel.as_vec2() + 0.5;
+        sheet.rectangle(center - half, center + half, fill(pixel), PALE);
+    }
+    let [from, to] = ends.map(|pixel| pixel.as_vec2() + 0.5);
+    sheet.line(from, to, BLACK, 2.2);
+    sheet
+}
+
+/// The coverage that the pixels of a column share, and their centre of mass.
+pub(crate) const WU: Figure = Figure {
+    name: "lines-wu",
+    stays: true,
+    hint: "Drag an end of the segment, or move it by the arrow keys. Choose another method. As much of each pixel is blue as is \
+           covered; the orange points are the centres of mass.",
+    inputs: &[
+        end("End a", [0.5, 1.5]),
+        end("End b", [12.5, 6.5]),
+        Input::Choice { label: "Method", rows: || Method::rows(METHODS), from: "wu" },
+    ],
+    draw: shared,
+};
+
+fn shared(mut values: Values) -> View {
+    let Drawn { method, a, b, plotted } = Drawn::of(&mut values);
+    let mut sheet = drawn_on(&plotted, [a, b], |_| SKY);
+    let steps = Steps::new(a, b);
+    // Coloured again, a pixel is covered no more.
+    let pixels: BTreeMap<[i32; 2], u8> =
+        plotted.iter().map(|&(pixel, coverage)| (pixel.to_array(), coverage)).collect();
+    // Of each step: what is covered, and the sums of places and of heights above the line, as heavy as the coverage.
+    let mut sums: BTreeMap<i32, (f32, Vec2, f32)> = BTreeMap::new();
+    for (&pixel, &coverage) in &pixels {
+        let (pixel, share) = (IVec2::from_array(pixel), f32::from(coverage) / 255.0);
+        let (mass, places, heights) = sums.entry(steps.place(pixel).0).or_default();
+        *mass += share;
+        *places += (pixel.as_vec2() + 0.5) * share;
+        *heights -= steps.fraction(pixel) * share;
+    }
+    let [mut covered, mut height] = ["covered", "height"].map(|name| vec![String::from(name)]);
+    let (mut drawn, mut farthest, mut least, mut most) = (0, 0.0_f32, f32::INFINITY, 0.0_f32);
+    for step in 0..=steps.length {
+        let Some(&(mass, places, heights)) = sums.get(&step) else {
+            for row in [&mut covered, &mut height] {
+                row.push("–".into());
+            }
+            continue;
+        };
+        let above = heights / mass;
+        sheet.dot(places / mass, ORANGE);
+        covered.push(hundredths(mass));
+        height.push(hundredths(above));
+        (least, most, farthest) = (least.min(mass), most.max(mass), farthest.max(above.abs()));
+        drawn += 1;
+    }
+    let (places, many) = (steps.length + 1, if steps.steep { "rows" } else { "columns" });
+    let name = method.name;
+    let told = if drawn == 0 {
+        format!("{name}: there are no pixels in any of {places} {many}.")
+    } else {
+        format!(
+            "{name}: there are pixels in {drawn} of {places} {many}; of each, between {} px and {} px are covered, and the centre \
+             of mass is up to {} px from the line. All pixels together are {} px, and the segment is {} px long.",
+            number(least),
+            number(most),
+            number(farthest),
+            number(pixels.values().map(|&coverage| f32::from(coverage)).sum::<f32>() / 255.0),
+            number((b - a).as_vec2().length()),
+        )
+    };
+    View { drawing: Drawing::Sheet(sheet), told, table: vec![steps.head(), covered, height] }
+}
+
+/// A number with two digits behind the point and a true minus.
+fn hundredths(x: f32) -> String {
+    format!("{:.2}", if x.abs() < 0.005 { 0.0 } else { x }).replace('-', "−")
 }
 
 /// The steps along the longer side of a segment, ordered as lesson 1 orders it.
@@ -108,29 +193,35 @@ impl Steps {
         2 * step * self.rise - 2 * self.length * risen - self.length
     }
 
-    /// Row k, fraction f and error e at each step; of several pixels in a column, of each.
+    /// The steps as the first row of a table.
+    fn head(&self) -> Vec<String> {
+        std::iter::once("step".into()).chain((0..=self.length).map(|step| step.to_string())).collect()
+    }
+
+    /// Row k, fraction f and error e at each step; of several pixels in a column, rows for each.
     fn table(&self, plotted: &[(IVec2, u8)]) -> Vec<Vec<String>> {
-        let at = |step: i32| -> Vec<IVec2> {
-            let mut own: Vec<IVec2> = plotted.iter().map(|&(pixel, _)| pixel).collect();
-            own.retain(|&pixel| self.place(pixel).0 == step);
-            own.sort_by_key(|&pixel| self.place(pixel).1);
-            own.dedup();
-            own
-        };
-        let row = |name: &str, cell: &dyn Fn(IVec2) -> String| -> Vec<String> {
-            let cells = (0..=self.length).map(|step| {
-                let cells: Vec<String> = at(step).into_iter().map(cell).collect();
-                if cells.is_empty() { "–".into() } else { cells.join(" · ") }
-            });
-            std::iter::once(name.into()).chain(cells).collect()
-        };
+        let columns: Vec<Vec<IVec2>> = (0..=self.length)
+            .map(|step| {
+                let mut own: Vec<IVec2> = plotted.iter().map(|&(pixel, _)| pixel).collect();
+                own.retain(|&pixel| self.place(pixel).0 == step);
+                own.sort_by_key(|&pixel| self.place(pixel).1);
+                own.dedup();
+                own
+            })
+            .collect();
         let minus = |n: i32| n.to_string().replace('-', "−");
-        vec![
-            std::iter::once("step".into()).chain((0..=self.length).map(|step| step.to_string())).collect(),
-            row("k", &|pixel| minus(self.place(pixel).1)),
-            row("f", &|pixel| format!("{:.2}", self.fraction(pixel)).replace('-', "−")),
-            row("e", &|pixel| minus(self.error(pixel))),
-        ]
+        let mut table = vec![self.head()];
+        for nth in 0..columns.iter().map(Vec::len).max().unwrap_or_default() {
+            let mut row = |name: &str, cell: &dyn Fn(IVec2) -> String| {
+                let cells =
+                    columns.iter().map(|column| column.get(nth).map_or("–".into(), |&pixel| cell(pixel)));
+                table.push(std::iter::once(name.into()).chain(cells).collect());
+            };
+            row("k", &|pixel| minus(self.place(pixel).1));
+            row("f", &|pixel| hundredths(self.fraction(pixel)));
+            row("e", &|pixel| minus(self.error(pixel)));
+        }
+        table
     }
 }
 
@@ -146,6 +237,14 @@ mod tests {
         let table = IDEAL.view(&[0.5, 0.5, 7.5, 3.5, 8.0]).table;
         assert_eq!(table[1][1..], ["0", "0", "1", "1", "2", "2", "3", "3"]);
         assert_eq!(table[3][1..], ["−7", "−1", "−9", "−3", "−11", "−5", "−13", "−7"]);
+    }
+
+    /// What the chapter says of Wu's line: in each column as much as a pixel is covered, with its centre of mass on the line.
+    #[test]
+    fn a_columns_centre_of_mass_is_on_the_line() {
+        let table = WU.view(&[]).table;
+        assert!(table[1][1..].iter().all(|covered| covered == "1.00"));
+        assert!(table[2][1..].iter().all(|height| height == "0.00"));
     }
 
     /// One segment from both ends, whichever way it goes.

@@ -12,6 +12,7 @@ use crate::{Drawing, Figure, Input, Values, View, number};
 /// A point and the three areas that it makes with the sides.
 pub(crate) const AREAS: Figure = Figure {
     name: "triangles-areas",
+    stays: false,
     hint: "Drag P, out of the triangle too, or a corner; or move it by the arrow keys.",
     inputs: &[
         corner("Corner A", [0.0, 0.0]),
@@ -93,6 +94,7 @@ fn areas(mut values: Values) -> View {
 /// Two triangles with a common side, and three rules for the centres on it.
 pub(crate) const TOP_LEFT: Figure = Figure {
     name: "triangles-top-left",
+    stays: false,
     hint: "Drag a corner over the pixels' centres, or move it by the arrow keys. Choose another rule.",
     inputs: &[
         half_pixel("Lower left corner", [1.5, 1.5]),
@@ -187,6 +189,7 @@ fn top_left(mut values: Values) -> View {
 /// The signs of the three edge functions, all over the plane.
 pub(crate) const SIGN: Figure = Figure {
     name: "triangles-sign",
+    stays: false,
     hint: "Drag P or a corner, or move it by the arrow keys. What happens when the corners run clockwise?",
     inputs: &[
         in_plane("Corner A", [-1.6, -1.0]),
@@ -256,6 +259,7 @@ fn sign(mut values: Values) -> View {
 /// The sweep, row by row.
 pub(crate) const SWEEP: Figure = Figure {
     name: "triangles-sweep",
+    stays: false,
     hint: "Drag a corner, or move it by the arrow keys. Move the slider up, row by row.",
     inputs: &[
         whole_pixel("Corner A", [1.5, 1.5]),

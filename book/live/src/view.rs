@@ -1,6 +1,6 @@
 //! What a figure shows, and how a page gets it.
 
-use common::{Image, Vec2};
+use common::{Color, Format, Image, Vec2};
 use sheet::Sheet;
 
 /// What a figure shows.
@@ -58,4 +58,25 @@ fn from_the_top(image: &Image) -> Vec<u8> {
     let rows = (0..image.height()).rev();
     let pixels = rows.flat_map(|y| (0..image.width()).filter_map(move |x| image.get(x, y)));
     pixels.flat_map(|color| [color.r, color.g, color.b, color.a]).collect()
+}
+
+/// Pictures of one size in rows, the first row on top, with gaps between them.
+pub(crate) fn beside(rows: &[Vec<Image>]) -> Image {
+    const GAP: i32 = 6;
+    const GROUND: Color = Color::rgb(128, 128, 128);
+    let Some(first) = rows.first().and_then(|row| row.first()) else {
+        return Image::new(1, 1, Format::Rgb);
+    };
+    let [width, height] = [first.width() + GAP, first.height() + GAP];
+    let count = [rows[0].len() as i32, rows.len() as i32];
+    let mut all = Image::new((count[0] * width - GAP) as u16, (count[1] * height - GAP) as u16, Format::Rgb);
+    all.set_all(|_| GROUND);
+    for (n, row) in rows.iter().rev().enumerate() {
+        for (m, image) in row.iter().enumerate() {
+            image
+                .pixels()
+                .for_each(|(x, y, color)| all.set(m as i32 * width + x, n as i32 * height + y, color));
+        }
+    }
+    all
 }

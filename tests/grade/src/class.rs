@@ -3,7 +3,7 @@
 //! What a machine could not do while it did others at the same time is put off, and done alone. What it cannot do then,
 //! either, is not graded: a person has to look.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -115,11 +115,10 @@ pub(crate) fn grade(options: &Options) -> anyhow::Result<Class> {
 
     let now = now - put_off.len();
     let (class, times) = gather(handed_in, &graded, &put_off, seed, options, walls, asked)?;
-    report::write(&class, times, &options.extras, &options.report)?;
+    let looks = report::write(&class, times, &options.extras, &options.report)?;
     std::fs::remove_dir_all(&scratch)?;
     println!(
-        "{}{} submissions, {count} different texts: {now} graded now, {} kept from before; {:.1} s\n{}",
-        report::looks(&class),
+        "{looks}{} submissions, {count} different texts: {now} graded now, {} kept from before; {:.1} s\n{}",
         submissions.len(),
         count - now - put_off.len(),
         started.elapsed().as_secs_f64(),
@@ -288,7 +287,7 @@ fn gather(
         checks: asked.into_iter().map(|asked| asked.check).collect(),
     };
     let lessons = options.lessons.iter().zip(asked).map(lesson).collect();
-    let mut class = Class { seed, lessons, walls, submissions: BTreeMap::new() };
+    let mut class = Class { seed, lessons, walls, submissions: BTreeMap::new(), late: BTreeSet::new() };
     let mut times = Vec::new();
     for HandedIn { submission, lesson, source, key } in handed_in {
         let (text, outcome) = match source {
@@ -310,6 +309,7 @@ fn gather(
                 (file::digest([text.as_slice()]), result.outcome)
             }
         };
+        class.late.extend(submission.late.then(|| submission.name.clone()));
         class.submissions.entry(submission.name.clone()).or_default().push(Work { text, outcome });
     }
     Ok((class, times))

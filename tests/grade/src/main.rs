@@ -58,6 +58,8 @@ mod seed;
 #[cfg(target_os = "linux")]
 mod submission;
 #[cfg(target_os = "linux")]
+mod submitted;
+#[cfg(target_os = "linux")]
 mod walls;
 
 use std::process::ExitCode;

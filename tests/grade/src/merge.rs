@@ -33,14 +33,15 @@ pub(crate) fn merge(parts: &[PathBuf], extras: &Extras, into: &Path) -> anyhow::
             renamed.insert(name, free.clone());
             class.submissions.insert(free, works);
         }
+        class.late.extend(other.late.iter().map(|name| renamed.get(name).unwrap_or(name).clone()));
         times.extend(report::times(part)?.into_iter().map(|mut time| {
             time.submission = renamed.get(&time.submission).cloned().unwrap_or(time.submission);
             time
         }));
     }
-    report::write(&class, times, extras, into)?;
+    let looks = report::write(&class, times, extras, into)?;
     let page = into.join(report::PAGE);
-    println!("{}{} submissions\n{}", report::looks(&class), class.submissions.len(), page.display());
+    println!("{looks}{} submissions\n{}", class.submissions.len(), page.display());
     Ok(class)
 }
 

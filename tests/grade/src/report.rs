@@ -70,13 +70,14 @@ impl Flags {
     }
 }
 
-/// Writes all reports into a folder. Times aside, equal results give equal files.
+/// Writes all reports into a folder. Times aside, equal results give equal files. Returns what a person has to look at, a
+/// line each; nothing if there is nothing.
 pub(crate) fn write(
     class: &Class,
     mut times: Vec<Time>,
     extras: &Extras,
     folder: &Path,
-) -> anyhow::Result<()> {
+) -> anyhow::Result<String> {
     let marks = extras.rules.as_ref().map(|rules| Marks::new(class, rules)).transpose()?;
     let marks = marks.as_ref();
     class.write(folder)?;
@@ -99,15 +100,32 @@ pub(crate) fn write(
         let others = extras.roster.as_ref().map(Roster::identities).unwrap_or_default();
         anonymous::write(class, marks, &others, folder)?;
     }
-    extras.roster.as_ref().map_or(Ok(()), |roster| roster.write(class, marks, folder))
+    extras.roster.as_ref().map_or(Ok(()), |roster| roster.write(class, marks, folder))?;
+    Ok(looks(class, marks))
 }
 
-/// What a person has to look at, a line each; nothing if there is nothing.
-pub(crate) fn looks(class: &Class) -> String {
+fn looks(class: &Class, marks: Option<&Marks>) -> String {
     let looks = class.looks();
     let lines = looks.iter().map(|(name, lessons, look)| format!("  {name}, {lessons}: {look}\n"));
     let head = (!looks.is_empty()).then(|| "look here: not graded, which is no 0\n".to_string());
-    head.into_iter().chain(lines).collect()
+    let late = late(class, marks);
+    let late = (!late.is_empty()).then(|| {
+        format!(
+            "look here: Canvas marks as late, without a time, from whom no day was taken; \
+             --submitted says when that was\n  {}\n",
+            late.join(", ")
+        )
+    });
+    head.into_iter().chain(lines).chain(late).collect()
+}
+
+/// Those that Canvas marked as late, but of which the rules know no late day.
+fn late<'a>(class: &'a Class, marks: Option<&Marks>) -> Vec<&'a str> {
+    let in_time = |name: &&String| {
+        let marks = marks.and_then(|marks| marks.students.get(*name));
+        marks.is_none_or(|own| own.iter().all(|mark| mark.days == 0))
+    };
+    class.late.iter().filter(in_time).map(String::as_str).collect()
 }
 
 /// The times that were written into a folder.

@@ -1,6 +1,6 @@
 //! What is kept of each submission, and the marks.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -21,6 +21,9 @@ pub(crate) struct Class {
     pub(crate) walls: Vec<Wall>,
     /// By name.
     pub(crate) submissions: BTreeMap<String, Vec<Work>>,
+    /// Those that Canvas has marked as late. It does not say how late, so that nothing is made of it but a hint.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    pub(crate) late: BTreeSet<String>,
 }
 
 /// A lesson and its checks.

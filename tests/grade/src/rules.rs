@@ -5,9 +5,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow, bail};
 use jiff::Timestamp;
+use jiff::tz::TimeZone;
 use serde::Deserialize;
 use toml::Spanned;
 use toml::value::Datetime;
+
+use crate::submitted::{self, Submitted};
 
 /// Weights, deadlines, and what being late costs. What is not said is 1, none, and nothing.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -65,33 +68,27 @@ fn once() -> Number<1000> {
 #[serde(try_from = "Datetime")]
 struct Due(Timestamp);
 
-/// What is said of a time that may be meant otherwise elsewhere.
-const TIME: &str = "a time is to be written with its offset from UTC, as in 2026-10-05T23:59:00+02:00";
-
 impl TryFrom<Datetime> for Due {
     type Error = &'static str;
 
     fn try_from(time: Datetime) -> Result<Self, &'static str> {
-        time.to_string().parse().map(Self).map_err(|_| TIME)
+        time.to_string().parse().map(Self).map_err(|_| submitted::TIME)
     }
 }
-
-/// By submission and lesson; for all lessons if no lesson is named.
-type Submitted = BTreeMap<(String, Option<String>), Timestamp>;
 
 impl Rules {
     /// Reads the rules, and when was handed in what.
     ///
     /// # Errors
     /// Where a file cannot be read, or has something in it that is not understood: its name and the line.
-    pub(crate) fn read(rules: &Path, submitted: Option<&Path>, lessons: &[String]) -> anyhow::Result<Self> {
+    fn read(flags: &Flags, rules: &Path, lessons: &[String]) -> anyhow::Result<Self> {
         let text = read(rules)?;
         let parsed = Self::parse(&text, lessons);
         let mut own = parsed.map_err(|(line, why)| anyhow!("{}:{line}: {why}", rules.display()))?;
         let due = own.lessons.iter().find(|(_, lesson)| lesson.due.is_some()).map(|(name, _)| name.get_ref());
-        match (submitted, due) {
+        match (&flags.submitted, due) {
             (Some(path), _) => {
-                let times = times(&read(path)?, lessons);
+                let times = Submitted::read(path, &read(path)?, lessons, flags.zone.as_ref());
                 own.submitted = times.map_err(|(line, why)| anyhow!("{}:{line}: {why}", path.display()))?;
             }
             (None, Some(lesson)) => {
@@ -127,8 +124,7 @@ impl Rules {
     /// Where there is a deadline, and it is not said when that was.
     pub(crate) fn days_late(&self, submission: &str, lesson: &str) -> anyhow::Result<u32> {
         let Some(Due(due)) = self.lesson(lesson).and_then(|lesson| lesson.due) else { return Ok(0) };
-        let at = |lesson: Option<&str>| self.submitted.get(&(submission.into(), lesson.map(String::from)));
-        let submitted = at(Some(lesson)).or_else(|| at(None)).with_context(|| {
+        let submitted = self.submitted.at(submission, lesson).with_context(|| {
             format!("--submitted does not say when {submission} handed in {lesson}, which has a deadline: add a row")
         })?;
         let late = submitted.duration_since(due).as_nanos().max(0).cast_unsigned();
@@ -145,44 +141,9 @@ fn read(path: &Path) -> anyhow::Result<String> {
     Ok(text.trim_start_matches('\u{feff}').to_string())
 }
 
-fn unknown(lesson: &str, lessons: &[String]) -> String {
+pub(crate) fn unknown(lesson: &str, lessons: &[String]) -> String {
     let first = lessons.first().map_or("01-lines", String::as_str);
     format!("`{lesson}` is no lesson: they are called as in {first}")
-}
-
-/// A row of the table of times.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Row {
-    submission: String,
-    lesson: Option<String>,
-    submitted: String,
-}
-
-/// Reads a table with the columns `submission`, `submitted` and, if it is not the same for all, `lesson`.
-fn times(text: &str, lessons: &[String]) -> Result<Submitted, (u64, String)> {
-    let mut table = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-    let head = table.headers().map_err(|error| (1, error.to_string()))?.clone();
-    let mut all = Submitted::new();
-    for record in table.records() {
-        let line = |error: &csv::Error| error.position().map_or(1, csv::Position::line);
-        let record = record
-            .map_err(|error| (line(&error), "a row has more or fewer cells than the head".to_string()))?;
-        let at = record.position().map_or(1, csv::Position::line);
-        let wrong = |why: String| (at, why);
-        let row: Row = record.deserialize(Some(&head)).map_err(|error| match error.into_kind() {
-            csv::ErrorKind::Deserialize { err, .. } => wrong(err.kind().to_string()),
-            _ => wrong("it is not understood".into()),
-        })?;
-        if let Some(lesson) = row.lesson.as_ref().filter(|lesson| !lessons.contains(lesson)) {
-            return Err(wrong(unknown(lesson, lessons)));
-        }
-        let time = row.submitted.parse().map_err(|_| wrong(format!("`{}`: {TIME}", row.submitted)))?;
-        if all.insert((row.submission.clone(), row.lesson), time).is_some() {
-            return Err(wrong(format!("there are two times for {}", row.submission)));
-        }
-    }
-    Ok(all)
 }
 
 /// The flags that name these files.
@@ -192,9 +153,13 @@ pub(crate) struct Flags {
     /// Weights and late days, in TOML: the points that they come to stand beside the others.
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
-    /// When was handed in what: a CSV file with the columns submission, lesson, submitted.
+    /// When was handed in what: a CSV file with the columns submission, lesson, submitted; or Moodle's grading worksheet, or
+    /// Gradescope's metadata, `submission_metadata.yml`.
     #[arg(long, value_name = "FILE", requires = "rules")]
     submitted: Option<PathBuf>,
+    /// The time zone of Moodle's worksheet, as in Europe/Berlin: times there are in that of who downloaded it.
+    #[arg(long, requires = "submitted", value_parser = zone)]
+    zone: Option<TimeZone>,
 }
 
 impl Flags {
@@ -203,8 +168,12 @@ impl Flags {
         let Some(path) = &self.rules else { return Ok(None) };
         let lessons =
             tasks::lessons(course).with_context(|| format!("{} is not the course", course.display()))?;
-        Rules::read(path, self.submitted.as_deref(), &lessons).map(Some)
+        Rules::read(self, path, &lessons).map(Some)
     }
+}
+
+fn zone(name: &str) -> Result<TimeZone, String> {
+    TimeZone::get(name).map_err(|_| "no time zone is called so; one is Europe/Berlin".into())
 }
 
 #[cfg(test)]
@@ -226,7 +195,7 @@ mod tests {
             [2, 10, 7]
         );
         assert_eq!(["01-lines", "02-wireframe"].map(|lesson| rules.weight(lesson)), [3, 1]);
-        rules.submitted = times(
+        rules.submitted = submitted::table(
             "submitted,submission\n2026-10-05T21:59:00Z,ann\n2026-10-05T21:59:01Z,ben\n\
              2026-10-06T23:59:00+02:00,cem\n2026-10-07T00:00:00+02:00,di\n",
             &lessons(),
@@ -256,25 +225,6 @@ mod tests {
             ("[late", 1, "unclosed table"),
         ] {
             let (at, why) = Rules::parse(text, &lessons()).unwrap_err();
-            assert!(at == line && why.contains(words) && !why.contains('\n'), "{text}: {at}: {why}");
-        }
-        for (text, line, words) in [
-            (
-                "submission,submitted\nann,2026-10-05\n",
-                2,
-                "`2026-10-05`: a time is to be written with its offset",
-            ),
-            ("submission,submitted\nann,2026-10-05T10:00:00\n", 2, "with its offset"),
-            (
-                "submission,submitted\n\nann,2026-10-05T10:00:00Z\nann,2026-10-05T10:00:00Z\n",
-                4,
-                "two times for ann",
-            ),
-            ("submission,lesson,submitted\nann,lines,2026-10-05T10:00:00Z\n", 2, "`lines` is no lesson"),
-            ("submission,submitted\nann\n", 2, "more or fewer cells"),
-            ("name,submitted\nann,2026-10-05T10:00:00Z\n", 2, "unknown field `name`"),
-        ] {
-            let (at, why) = times(text, &lessons()).unwrap_err();
             assert!(at == line && why.contains(words) && !why.contains('\n'), "{text}: {at}: {why}");
         }
     }

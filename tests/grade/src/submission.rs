@@ -7,7 +7,7 @@ mod files;
 mod place;
 mod systems;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
@@ -30,6 +30,8 @@ pub(crate) struct Submission {
     pub(crate) name: String,
     /// Files and folders, and what they are called within the submission: nothing for its folder.
     parts: Vec<(PathBuf, String)>,
+    /// Whether Canvas has marked any of it as late; other systems mark nothing.
+    pub(crate) late: bool,
 }
 
 /// What there is of a lesson.
@@ -79,14 +81,18 @@ impl HandedOut {
 pub(crate) fn all(class: &Path) -> anyhow::Result<Vec<Submission>> {
     let entries = std::fs::read_dir(class).with_context(|| format!("cannot read {}", class.display()))?;
     let mut found: BTreeMap<String, Vec<(PathBuf, String)>> = BTreeMap::new();
+    let mut late = BTreeSet::new();
     for entry in entries {
         let entry = entry.with_context(|| format!("cannot read {}", class.display()))?;
         let name = plain(&entry.file_name());
         let kind = entry.file_type().with_context(|| format!("cannot read {}", entry.path().display()))?;
         let folder = kind.is_dir() || kind.is_symlink();
-        let (owner, shown) = match systems::owner(&name) {
+        let (owner, shown) = match systems::named(&name) {
             _ if files::is_litter(&name) => continue,
-            Some((owner, file)) => (owner, file.to_string()),
+            Some(named) => {
+                late.extend(named.late.then(|| named.owner.clone()));
+                (named.owner, named.file.to_string())
+            }
             None if folder => (name, String::new()),
             None if files::end(&name) == "zip" => (name[..name.len() - 4].to_string(), name),
             None if files::end(&name) == "rs" => (name.clone(), name),
@@ -102,7 +108,7 @@ pub(crate) fn all(class: &Path) -> anyhow::Result<Vec<Submission>> {
     );
     let bounded = |(name, mut parts): (String, Vec<(PathBuf, String)>)| {
         parts.sort();
-        Submission { name: bounded(name), parts }
+        Submission { late: late.contains(&name), name: bounded(name), parts }
     };
     let mut all: Vec<Submission> = found.into_iter().map(bounded).collect();
     all.sort_by(|a, b| a.name.cmp(&b.name));
@@ -141,7 +147,7 @@ pub(crate) fn name_of(bytes: &[u8]) -> String {
 impl Submission {
     /// The one that a folder is.
     pub(crate) fn at(folder: &Path) -> Self {
-        Self { name: "submission".into(), parts: vec![(folder.into(), String::new())] }
+        Self { name: "submission".into(), parts: vec![(folder.into(), String::new())], late: false }
     }
 
     /// Looks at what is there.

@@ -78,7 +78,8 @@ fn anonymous(class: &Class, others: &[String], key: &BTreeMap<String, String>) -
     let submissions = class.submissions.iter();
     let submissions =
         submissions.map(|(name, works)| (key[name].clone(), works.iter().map(work).collect())).collect();
-    Ok(Class { submissions, ..class.clone() })
+    let late = class.late.iter().filter_map(|name| key.get(name).cloned()).collect();
+    Ok(Class { submissions, late, ..class.clone() })
 }
 
 /// An outcome, in which names are struck out.
@@ -207,6 +208,7 @@ mod tests {
             lessons: vec![Lesson { name: "01-lines".into(), checks: vec![check] }],
             walls: vec![],
             submissions,
+            late: names.clone(),
         }
     }
 

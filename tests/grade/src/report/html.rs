@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use askama::Template;
 
 use super::numbers::{self, Count};
-use super::{counted, points, student};
+use super::{counted, late, points, student};
 use crate::marks::{self, Marks, decimal};
 use crate::proof::Wall;
 use crate::results::{Class, Lesson, Look, total};
@@ -19,6 +19,8 @@ struct Page<'a> {
     walls: &'a [Wall],
     /// Whose, of which lessons, and what a person has to look at.
     looks: Vec<(&'a str, String, &'a Look)>,
+    /// Those that Canvas marked as late, and nothing else did.
+    late: Vec<&'a str>,
     students: Vec<Student<'a>>,
     points: u32,
     /// The most that can count; nothing where there are no rules.
@@ -82,6 +84,7 @@ pub(super) fn page(class: &Class, marks: Option<&Marks>) -> anyhow::Result<Strin
         lessons: &class.lessons,
         walls: &class.walls,
         looks: class.looks(),
+        late: late(class, marks),
         students,
         points: class.points(),
         counted_of: marks.map(|marks| decimal(marks.of)).unwrap_or_default(),

@@ -155,6 +155,8 @@ fn works<'a>(class: &'a Class, number: &str) -> Option<(&'a String, &'a Vec<crat
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::results::{Check, Lesson, Look, Outcome, Work};
 
@@ -171,7 +173,7 @@ mod tests {
             (name.to_string(), vec![Work { text: String::new(), outcome }])
         };
         let submissions = submissions.into_iter().map(work).collect();
-        Class { seed: 2, lessons: vec![lesson], walls: vec![], submissions }
+        Class { seed: 2, lessons: vec![lesson], walls: vec![], submissions, late: BTreeSet::new() }
     }
 
     fn filled(text: &str) -> String {

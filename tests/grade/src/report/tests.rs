@@ -1,7 +1,7 @@
 //! Whatever students call themselves and say, the reports can be read again.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use html5ever::tokenizer::states::RawKind;
 use html5ever::tokenizer::{BufferQueue, Token, TokenSink, TokenSinkResult, Tokenizer, TokenizerOpts};
@@ -58,7 +58,7 @@ fn class() -> impl Strategy<Value = Class> {
         let lesson = Lesson { name: "01-lines".into(), checks: vec![check("a", 8), check("b", 2)] };
         let work = |(name, outcome)| (name, vec![Work { text: String::new(), outcome }]);
         let submissions = students.into_iter().map(work).collect::<BTreeMap<_, _>>();
-        Class { seed: 2, lessons: vec![lesson], walls: vec![], submissions }
+        Class { seed: 2, lessons: vec![lesson], walls: vec![], submissions, late: BTreeSet::new() }
     })
 }
 
@@ -175,7 +175,13 @@ fn the_page_of_a_large_class_is_small() {
     };
     let works = |n: usize| (1..=17).map(|lesson| work(100 * n + lesson)).collect();
     let submissions = (0..150).map(|n| (format!("a student with a long name {n}"), works(n))).collect();
-    let class = Class { seed: 2, lessons: (1..=17).map(lesson).collect(), walls: vec![], submissions };
+    let class = Class {
+        seed: 2,
+        lessons: (1..=17).map(lesson).collect(),
+        walls: vec![],
+        submissions,
+        late: BTreeSet::new(),
+    };
     let size = super::html::page(&class, None).unwrap().len();
     assert!(size < 400_000, "{size} bytes");
 }

@@ -10,6 +10,7 @@ mod marks;
 mod pairs;
 mod shapes;
 mod shards;
+mod walls;
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;

@@ -72,6 +72,99 @@ fn what_counts_is_in_all_reports() {
     assert!(read("anonymous-key-keep-it-to-yourself.csv").contains(",ben\n"));
 }
 
+/// Merges a graded class, its names changed, with rules and what a system says of times. It comes as two equal parts, of which
+/// the second knows who was marked as late.
+fn told(
+    folder: &Path,
+    names: [&str; 3],
+    late: &str,
+    file: &str,
+    text: &str,
+    more: &[&str],
+) -> (Output, PathBuf) {
+    let [graded, parts, out] = ["graded", "parts", "out"].map(|name| folder.join(name));
+    let class = fs::read_to_string(graded.join("class.json")).unwrap();
+    let rename = |class: String, (from, to)| class.replace(&format!("\"{from}\":"), &format!("\"{to}\":"));
+    let class = ["ann", "ben", "cem"].into_iter().zip(names).fold(class, rename);
+    let parts = [("1", ""), ("2", late)].map(|(part, late)| {
+        let part = parts.join(part);
+        fs::create_dir_all(&part).unwrap();
+        fs::write(part.join("class.json"), format!("{{\"late\":[{late}],{}", &class[1..])).unwrap();
+        fs::copy(graded.join("times.csv"), part.join("times.csv")).unwrap();
+        part
+    });
+    let [rules, submitted] = ["rules.toml", file].map(|name| folder.join(name));
+    fs::write(&rules, RULES).unwrap();
+    fs::write(&submitted, text).unwrap();
+    let _ = fs::remove_dir_all(&out);
+    let [one, two] = &parts;
+    let paths = [("", &**one), ("", two), ("--out", &out), ("--rules", &rules), ("--submitted", &submitted)];
+    (grader(&[&["merge"], more].concat(), &paths).output().unwrap(), out)
+}
+
+#[test]
+fn moodle_and_gradescope_say_when() {
+    let Some(folder) = graded() else { return };
+    let last = |out: &Path, name: &str| {
+        let mut grades = csv::Reader::from_path(out.join("grades.csv")).unwrap();
+        let rows: Vec<csv::StringRecord> = grades.records().map(Result::unwrap).collect();
+        let row = rows.iter().find(|row| &row[0] == name).unwrap();
+        row.iter().skip(row.len() - 5).map(String::from).collect::<Vec<_>>()
+    };
+
+    let moodle = "\u{feff}Identifier,\"Full name\",Grade,\"Last modified (submission)\"\r\n\
+                  \"Participant 101\",Ann,,\"Monday, 5 October 2026, 11:59 PM\"\r\n\
+                  \"Participant 102\",Ben,,\"Thursday, 8 October 2026, 10:00 AM\"\r\n\
+                  \"Participant 103\",Cem,,\"Thursday, 8 October 2026, 10:00 AM\"\r\n";
+    let names = ["Ann_101", "Ben Okoro_102", "cohen_103"];
+    let (output, out) = told(folder.path(), names, "", "moodle.csv", moodle, &["--zone", "Europe/Berlin"]);
+    assert!(output.status.success(), "{}", said(&output));
+    assert_eq!(last(&out, names[0]), ["0", "0", "30", "30", "30"]);
+    assert_eq!(last(&out, names[1]), ["3", "1", "18", "18", "30"]);
+    // Who has no number cannot be found.
+    let names = ["Ann_101", "Ben Okoro_102", "cem"];
+    let (output, _) = told(folder.path(), names, "", "moodle.csv", moodle, &["--zone", "Europe/Berlin"]);
+    let expected = "--submitted does not say when cem handed in 01-lines";
+    assert!(output.status.code() == Some(1) && said(&output).contains(expected), "{}", said(&output));
+
+    let gradescope = "ann:\n  :created_at: 2026-10-05 21:00:00.000000000 Z\n\
+                      submission_7001:\n  :created_at: 2026-10-08 08:00:00.000000000 Z\n\
+                      cem:\n  :created_at: 2026-11-01 09:00:00.000000000 Z\n";
+    let late = "\"ann\", \"submission_7001\"";
+    let names = ["ann", "submission_7001", "cem"];
+    let (output, out) =
+        told(folder.path(), names, late, "submission_metadata.yml", gradescope, &["--anonymous"]);
+    assert!(output.status.success(), "{}", said(&output));
+    assert_eq!(last(&out, "ann"), ["0", "0", "30", "30", "30"]);
+    assert_eq!(last(&out, "submission_7001"), ["3", "1", "18", "18", "30"]);
+    // Canvas says otherwise of one of them.
+    let page = fs::read_to_string(out.join("index.html")).unwrap();
+    assert!(page.contains("1 marked as late") && page.contains("<li><strong>ann</strong></li>"), "{page}");
+    assert!(!page.contains("<li><strong>submission_7001</strong></li>"), "{page}");
+    assert!(!fs::read_to_string(out.join("anonymous/index.html")).unwrap().contains("<strong>ann"));
+
+    for (file, text, more, words) in [
+        (
+            "moodle.csv",
+            moodle,
+            &[][..],
+            "moodle.csv:1: Moodle’s worksheet does not say its time zone: add --zone",
+        ),
+        ("t.yml", "- 1\n", &[], "t.yml:1: it is not Gradescope’s submission_metadata.yml"),
+    ] {
+        let (output, out) = told(folder.path(), names, "", file, text, more);
+        let said = said(&output);
+        assert!(output.status.code() == Some(1) && said.contains(words), "{said}");
+        assert!(said.trim().lines().count() == 1 && !out.exists(), "{said}");
+    }
+    let (output, _) = told(folder.path(), names, "", "moodle.csv", moodle, &["--zone", "CEST2"]);
+    assert!(
+        output.status.code() == Some(2) && said(&output).contains("no time zone is called so"),
+        "{}",
+        said(&output)
+    );
+}
+
 #[test]
 fn bad_rules_are_one_line_and_nothing_is_written() {
     let Some(folder) = graded() else { return };

@@ -57,6 +57,8 @@ fn each_shape_is_graded() {
     submission("Ben Okoro_102", &["Ben Okoro_102_assignsubmission_file_lines.rs"]);
     submission("cohencem_103", &["cohencem_103_5001_lines.rs", "cohencem_103_5002_lines-1.rs"]);
     submission("dias_104", &["dias_LATE_104_5003_lib.rs"]);
+    submission("submission_7001", &["submission_7001/lib.rs"]);
+    write(&class.join("submission_metadata.yml"), "of Gradescope’s export");
     submission("lines-eva", &["lines-eva/lessons/01-lines/mission/src/lib.rs"]);
     // What systems leave behind.
     submission("litter", &["litter/lib.rs"]);
@@ -103,6 +105,15 @@ fn each_shape_is_graded() {
     let grades = fs::read_to_string(report.join("grades.csv")).unwrap();
     assert_eq!(grades.matches(",10,right,").count(), names.len(), "{grades}");
     assert!(said(&output).contains("1 different texts: 1 graded now"), "{}", said(&output));
+    // It is late, but not known how late, and all that is known is told.
+    let late = "look here: Canvas marks as late, without a time, from whom no day was taken; \
+                --submitted says when that was\n  dias_104\n";
+    assert!(said(&output).starts_with(late), "{}", said(&output));
+    let page = fs::read_to_string(report.join("index.html")).unwrap();
+    assert!(
+        page.contains("Look here: 1 marked as late</h2>")
+            && page.contains("<li><strong>dias_104</strong></li>")
+    );
     assert_eq!(output.status.code(), Some(0));
 }
 
