@@ -11,7 +11,7 @@ use crate::fault::Fault;
 use crate::glossary::{self, Entries, Term};
 use crate::links::Targets;
 use crate::page::{Page, Sources, expand};
-use crate::{check, mdbook, moving};
+use crate::{check, live_charts, mdbook, moving};
 use charts::figures::{self, Drawn};
 use charts::lessons::{LESSONS, Lesson};
 
@@ -57,6 +57,7 @@ pub(crate) fn build(out: &Path) -> anyhow::Result<()> {
     let faults = pages(Path::new(BOOK), LESSONS, out, &drawn)?;
     figures::write(&drawn, &out.join("figures"))?;
     moving::write(out)?;
+    live_charts::write(&out.join("charts"))?;
     if faults.is_empty() {
         return Ok(());
     }

@@ -16,6 +16,7 @@ mod fault;
 mod glossary;
 mod html;
 mod links;
+mod live_charts;
 mod markup;
 mod math;
 mod mdbook;

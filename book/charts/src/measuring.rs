@@ -442,8 +442,9 @@ fn speed_chart<'a>(chart: &'a Chart, rows: &[Row], caption: &str) -> draw::Speed
     let dot = |((row, close), hue): ((&Row, &bool), &Option<usize>)| draw::Dot {
         name: row.method.clone(),
         hue: *hue,
-        worst: number(&row.error_max),
-        mean: number(&row.error_mean),
+        worst: row.error_max.clone(),
+        mean: row.error_mean.clone(),
+        exact: row.is_exact(chart),
         speed: spread(&row.figure().builds),
         frontier: row.frontier,
         close: *close,

@@ -146,9 +146,20 @@ pub(crate) enum Mark {
     Dot,
 }
 
+/// What a reader is told who points at a mark, and what the page's script, `theme/charts.js`, must know of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Told {
+    /// Of a chart of speed against accuracy: whether it is the worst case or the mean, where these differ.
+    Errors { text: String, kind: Option<&'static str> },
+    /// Of a line: how far along it the mark is, and its value there.
+    Value { text: String, at: String, value: String },
+}
+
 /// A chart that is being drawn, in px, y down.
 pub(crate) struct Card {
     document: Document,
+    /// What is drawn of the method of which something is being drawn.
+    method: Option<Group>,
     pub(crate) layout: &'static Layout,
     /// Where the data are.
     pub(crate) plot: Rect,
@@ -185,7 +196,7 @@ impl Card {
             .add(
                 Rectangle::new().set("class", "card").set("width", width).set("height", height).set("rx", 8),
             );
-        let mut card = Self { document, layout, plot, ranges: [x.range, y.range] };
+        let mut card = Self { document, method: None, layout, plot, ranges: [x.range, y.range] };
 
         let lines = |lines: &[String], card: &mut Self, top: f64, step: f64, class: &str, size: f64, bold| {
             for (n, line) in lines.iter().enumerate() {
@@ -240,6 +251,27 @@ impl Card {
         self.line([[left, top], [left, bottom], [right, bottom]], "rule", 1.0, None);
     }
 
+    /// Names what the chart's lines go along, for the page's script.
+    pub(crate) fn across(&mut self, name: &str) {
+        self.document.assign("data-across", name);
+    }
+
+    /// Draws what is of one method, so that the page's script can switch it off.
+    pub(crate) fn of(&mut self, method: &str, draw: impl FnOnce(&mut Self)) {
+        self.method = Some(Group::new().set("data-of", method));
+        draw(self);
+        if let Some(group) = self.method.take() {
+            self.document.append(group);
+        }
+    }
+
+    fn append(&mut self, node: impl Into<Box<dyn Node>>) {
+        match &mut self.method {
+            Some(group) => group.append(node),
+            None => self.document.append(node),
+        }
+    }
+
     /// Where a place on the axes is.
     pub(crate) fn at(&self, place: [f64; 2]) -> [f64; 2] {
         let share = |n: usize| (place[n] - self.ranges[n][0]) / (self.ranges[n][1] - self.ranges[n][0]);
@@ -269,7 +301,7 @@ impl Card {
         if let Some(dashes) = dashes {
             path = path.set("stroke-dasharray", dashes);
         }
-        self.document.append(path);
+        self.append(path);
     }
 
     fn rectangle(&mut self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) {
@@ -277,13 +309,20 @@ impl Card {
         self.document.append(rectangle.set("width", tenth(right - left)).set("height", tenth(bottom - top)));
     }
 
-    /// Draws a mark in a method's colour.
-    pub(crate) fn mark(&mut self, [x, y]: [f64; 2], mark: Mark, hue: Option<usize>, opacity: f64) {
+    /// Draws a mark in a method's colour, and what is told of it.
+    pub(crate) fn mark(
+        &mut self,
+        [x, y]: [f64; 2],
+        mark: Mark,
+        hue: Option<usize>,
+        opacity: f64,
+        told: Option<&Told>,
+    ) {
         let (fill, stroke) = (fill(hue), stroke(hue));
         let circle = |radius: f64| Circle::new().set("cx", tenth(x)).set("cy", tenth(y)).set("r", radius);
         let outlined =
             |circle: Circle| circle.set("class", stroke.as_str()).set("fill", "none").set("stroke-width", 2);
-        let mut group = Group::new();
+        let mut group = told.map_or_else(Group::new, Told::group);
         match mark {
             Mark::Disc => group.append(circle(5.5).set("class", fill)),
             Mark::Dot => group.append(circle(3.0).set("class", fill)),
@@ -308,7 +347,7 @@ impl Card {
                 group.append(Path::new().set("d", data).set("class", stroke.as_str()).set("stroke-width", 3));
             }
         }
-        self.document.append(if opacity < 1.0 { group.set("opacity", opacity) } else { group });
+        self.append(if opacity < 1.0 { group.set("opacity", opacity) } else { group });
     }
 
     /// Writes a label where it was placed, with its leader.
@@ -344,12 +383,28 @@ impl Card {
         if bold || size != self.layout.text {
             node = node.set("style", format!("{weight}font-size:{size}px"));
         }
-        self.document.append(node);
+        self.append(node);
     }
 
     /// The SVG.
     pub(crate) fn finish(self) -> String {
         format!("{}\n", self.document)
+    }
+}
+
+impl Told {
+    /// A group for the mark. A browser that shows the chart alone shows the title of what is pointed at.
+    fn group(&self) -> Group {
+        let group = Group::new().set("class", "point");
+        match self {
+            Self::Errors { text, kind } => {
+                let group = group.add(Title::new(text.as_str()));
+                if let Some(kind) = kind { group.set("data-kind", *kind) } else { group }
+            }
+            Self::Value { text, at, value } => {
+                group.add(Title::new(text.as_str())).set("data-at", at.as_str()).set("data-value", value.as_str())
+            }
+        }
     }
 }
 

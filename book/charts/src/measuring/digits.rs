@@ -25,7 +25,6 @@ pub(crate) fn known_digits(mean: f64, standard_error: f64) -> String {
 
 /// A figure in a sentence: powers of ten as such, no more than two digits.
 pub(crate) fn readable(value: f64) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
         let digits = (1 - exponent(value)).max(0) as usize;
         let text = format!("{value:.digits$}");
@@ -37,12 +36,24 @@ pub(crate) fn readable(value: f64) -> String {
     }
     let text = format!("{value:.1e}");
     let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let power: String =
-        power.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])).collect();
     match mantissa.trim_end_matches(".0") {
-        "1" => format!("10{power}"),
-        mantissa => format!("{mantissa}·10{power}"),
+        "1" => format!("10{}", raised(power)),
+        mantissa => format!("{mantissa}·10{}", raised(power)),
     }
+}
+
+/// A printed figure with its power of ten written out, as the tables of the book have it: 8e-4 as 8·10⁻⁴.
+pub(crate) fn spelled(printed: &str) -> String {
+    match printed.split_once('e') {
+        Some((mantissa, power)) => format!("{mantissa}·10{}", raised(power)),
+        None => printed.into(),
+    }
+}
+
+/// An exponent as it is written behind a 10.
+fn raised(power: &str) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    power.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])).collect()
 }
 
 /// What the last printed digit stands for.

@@ -2,9 +2,10 @@
 
 use anyhow::Context;
 
-use super::card::{Axis, Card, LAYOUTS, Layout, Mark, Words, decades, hues, stroke, text_width};
+use super::card::{Axis, Card, LAYOUTS, Layout, Mark, Told, Words, decades, hues, stroke, text_width};
+use super::digits::{spelled, three_digits};
 use super::place::{Rect, place};
-use super::table::{Quantity, Series};
+use super::table::{Quantity, Series, number};
 
 /// Where values are on a logarithmic axis, and those that have no place on it.
 struct Scale {
@@ -86,8 +87,11 @@ pub(crate) struct Dot {
     pub(crate) name: String,
     /// Its colour; none for what does another job.
     pub(crate) hue: Option<usize>,
-    pub(crate) worst: f64,
-    pub(crate) mean: f64,
+    /// Its errors, as printed.
+    pub(crate) worst: String,
+    pub(crate) mean: String,
+    /// Whether an error of 0 is more than what a sample showed.
+    pub(crate) exact: bool,
     /// The throughput of the slowest build, of the one in the middle, of the fastest.
     pub(crate) speed: [f64; 3],
     pub(crate) frontier: bool,
@@ -97,20 +101,55 @@ pub(crate) struct Dot {
     pub(crate) does_it: bool,
 }
 
+impl Dot {
+    /// Its worst error, and its mean one.
+    fn errors(&self) -> [f64; 2] {
+        [&self.worst, &self.mean].map(|error| number(error))
+    }
+
+    /// What is told of its worst error, or of its mean one.
+    fn told(&self, of: &Speed, error: &str, kind: Option<&'static str>) -> Told {
+        let Quantity { name, unit, .. } = of.error;
+        let value = match error {
+            "0" => String::from(if self.exact { "exact" } else { "none found" }),
+            _ => with_unit(error, unit),
+        };
+        // A time is so many ms where a throughput is so many in 1000 ms.
+        let speed = |rate: f64| spelled(&three_digits(if of.times { 1000.0 / rate } else { rate }));
+        let [low, median, high] = self.speed.map(speed);
+        let [from, to] = if of.times { [high, low] } else { [low, high] };
+        let builds = if from == to { String::new() } else { format!(", by build from {from} to {to}") };
+        let kind_of = kind.map(|kind| format!(", {kind}")).unwrap_or_default();
+        let text = format!("{}{kind_of}: {name}: {value}. {median} {}{builds}", self.name, of.speed);
+        Told::Errors { text, kind }
+    }
+}
+
+/// A printed error with its unit.
+fn with_unit(error: &str, unit: &str) -> String {
+    match error {
+        "inf" => "fails".into(),
+        // Which is no unit but a range.
+        _ if unit.starts_with(|c: char| c.is_ascii_digit()) => format!("{} ({unit})", spelled(error)),
+        _ => format!("{} {unit}", spelled(error)),
+    }
+}
+
 /// Draws a chart of speed against accuracy.
 pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<String> {
     let Quantity { name, unit, limit } = of.error;
-    let errors: Vec<[f64; 2]> = of.dots.iter().map(|dot| [dot.worst, dot.mean]).collect();
+    let errors: Vec<[f64; 2]> = of.dots.iter().map(Dot::errors).collect();
+    let differ = errors.iter().any(|[worst, mean]| worst != mean);
     let x_scale = Scale::new(&errors.iter().flatten().copied().chain([limit.0]), -1.0, ["fails", of.none]);
     let x = x_scale.axis(format!("{name}, {unit}; more accurate →"));
     let rates: Vec<[f64; 3]> = of.dots.iter().map(|dot| dot.speed.map(f64::log10)).collect();
     let y = speed_axis(rates.iter().flatten().copied(), format!("{}; faster ↑", of.speed), of.times);
     let bars = of.dots.iter().any(|dot| dot.speed[2] > 1.03 * dot.speed[0]);
-    let fails = |dot: &Dot| !dot.does_it || dot.worst.is_infinite();
+    let fails = |dot: &Dot| !dot.does_it || number(&dot.worst).is_infinite();
     let legend = [
         ("■ the first method", true),
-        ("● worst case", errors.iter().any(|[worst, mean]| worst != mean)),
-        ("○ mean", errors.iter().any(|[worst, mean]| worst != mean)),
+        ("● worst case", differ),
+        ("○ mean", differ),
         ("× does not do the job", of.dots.iter().any(fails)),
         ("I from the slowest build to the fastest", bars),
         ("bold, on the line of steps: nothing beats these", true),
@@ -138,31 +177,37 @@ pub(crate) fn speed(of: &Speed, layout: &'static Layout) -> anyhow::Result<Strin
         let [low, high] = [0, 2].map(|end| at(&card, errors[n][0], rates[n][end]));
         let opacity = if dot.frontier || dot.close { 1.0 } else { 0.6 };
         let class = stroke(dot.hue);
-        if low[1] - high[1] > 12.0 {
-            let cap = |[x, y]: [f64; 2]| [[x - 4.0, y], [x + 4.0, y]];
-            card.line([low, high], &class, 1.5, None);
-            [low, high].into_iter().for_each(|end| card.line(cap(end), &class, 1.5, None));
-            obstacles.push(Rect::around([low, high], 4.0));
-        }
-        if mean != worst {
-            card.line([worst, mean], &class, 0.8, None);
-            card.mark(mean, Mark::Ring, dot.hue, opacity);
-            obstacles.push(Rect::around([worst, mean], 1.0));
-            obstacles.push(Rect::about(mean, 11.0, 11.0));
-        }
         let mark = match n {
             _ if fails(dot) => Mark::Cross,
             0 => Mark::Square,
             _ => Mark::Disc,
         };
-        card.mark(worst, mark, dot.hue, opacity);
+        let kind = |kind| differ.then_some(kind);
+        card.of(&dot.name, |card| {
+            if low[1] - high[1] > 12.0 {
+                let cap = |[x, y]: [f64; 2]| [[x - 4.0, y], [x + 4.0, y]];
+                card.line([low, high], &class, 1.5, None);
+                [low, high].into_iter().for_each(|end| card.line(cap(end), &class, 1.5, None));
+                obstacles.push(Rect::around([low, high], 4.0));
+            }
+            if mean == worst {
+                let told = dot.told(of, &dot.worst, kind("worst case and mean"));
+                card.mark(worst, mark, dot.hue, opacity, Some(&told));
+            } else {
+                card.line([worst, mean], &class, 0.8, None);
+                card.mark(mean, Mark::Ring, dot.hue, opacity, Some(&dot.told(of, &dot.mean, kind("mean"))));
+                card.mark(worst, mark, dot.hue, opacity, Some(&dot.told(of, &dot.worst, kind("worst case"))));
+                obstacles.push(Rect::around([worst, mean], 1.0));
+                obstacles.push(Rect::about(mean, 11.0, 11.0));
+            }
+        });
         obstacles.push(Rect::about(worst, 13.0, 13.0));
         anchors.push((worst, card.label_size(&names[n])));
     }
     for (n, label) in place(&anchors, &obstacles, card.plot).into_iter().enumerate() {
         let dot = &of.dots[n];
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, dot.name))?;
-        card.label(&names[n], &label, dot.hue, dot.frontier);
+        card.of(&dot.name, |card| card.label(&names[n], &label, dot.hue, dot.frontier));
     }
     Ok(card.finish())
 }
@@ -242,6 +287,25 @@ pub(crate) struct Lines<'a> {
     pub(crate) caption: Vec<String>,
 }
 
+impl Lines<'_> {
+    /// What its lines go along, without the words that say which way.
+    fn along(&self) -> &str {
+        self.across.trim_end_matches(" →").trim_end_matches("; harder")
+    }
+
+    /// What is told of a point of a line.
+    fn told(&self, line: &Line, (at, value): (f64, f64)) -> Told {
+        let [at, value] = [plain_number(at), if value == 0.0 { "none".into() } else { with_unit(&three_digits(value), self.unit) }];
+        let text = format!("{}: {} {value} ({}: {at})", line.name, self.what, self.along());
+        Told::Value { text, at, value }
+    }
+}
+
+/// A place on an axis: whole numbers of some digits as such.
+fn plain_number(at: f64) -> String {
+    if at.fract() == 0.0 && at.abs() < 1e7 { at.to_string() } else { spelled(&three_digits(at)) }
+}
+
 /// A line of such a chart.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
@@ -273,6 +337,7 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
 
     let words = Words { title: of.title.clone(), reading: of.reading.clone(), caption: of.caption.clone() };
     let mut card = Card::new(layout, &words, [&x, &y]);
+    card.across(of.along());
     let mut obstacles = Vec::new();
     let limit = of.limit.map(|(limit, name)| (card.at([0.0, y_scale.at(limit)])[1], name));
     if let Some((height, _)) = limit {
@@ -287,12 +352,16 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
         let class = stroke(line.hue);
         // The first ones are the thickest, so that lines on top of each other are all seen.
         let width = 1.8 + 0.6 * (of.lines.len() - 1 - n).min(5) as f64;
-        card.path(&path, &class, width, None);
-        path.iter().for_each(|point| card.mark(*point, Mark::Dot, line.hue, 1.0));
-        if let Some(ringed) = line.ringed {
-            card.mark(path[ringed], Mark::Halo, line.hue, 1.0);
-            obstacles.push(Rect::about(path[ringed], 18.0, 18.0));
-        }
+        card.of(&line.name, |card| {
+            card.path(&path, &class, width, None);
+            for (place, point) in path.iter().zip(&line.points) {
+                card.mark(*place, Mark::Dot, line.hue, 1.0, Some(&of.told(line, *point)));
+            }
+            if let Some(ringed) = line.ringed {
+                card.mark(path[ringed], Mark::Halo, line.hue, 1.0, None);
+                obstacles.push(Rect::about(path[ringed], 18.0, 18.0));
+            }
+        });
         obstacles.extend(path.windows(2).flat_map(|ends| along(ends[0], ends[1])));
         anchors.push((*path.last().unwrap_or(&[0.0; 2]), card.label_size(&line.name)));
     }
@@ -301,7 +370,7 @@ pub(crate) fn lines(of: &Lines, layout: &'static Layout) -> anyhow::Result<Strin
     }
     for (line, label) in of.lines.iter().zip(place(&anchors, &obstacles, card.plot)) {
         let label = label.with_context(|| format!("{}: no room for the label {}", of.name, line.name))?;
-        card.label(&line.name, &label, line.hue, false);
+        card.of(&line.name, |card| card.label(&line.name, &label, line.hue, false));
     }
     Ok(card.finish())
 }

@@ -226,8 +226,9 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
         let dot = |(row, close): (&Row, &bool)| Dot {
             name: row.choice.clone(),
             hue: hue(row),
-            worst: get(row),
-            mean: get(row),
+            worst: three_digits(get(row)),
+            mean: three_digits(get(row)),
+            exact: true,
             speed: spread(&rates(row)),
             frontier: best(row),
             close: *close,

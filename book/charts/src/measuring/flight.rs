@@ -335,8 +335,9 @@ fn flip_chart(
     let dot = |(n, (row, close)): (usize, (&Row, &bool))| Dot {
         name: row.method.clone(),
         hue: Some(n),
-        worst: error(row),
-        mean: error(row),
+        worst: row.flip.clone(),
+        mean: row.flip.clone(),
+        exact: true,
         speed: spread(&rates(row)),
         frontier: row.frontier_flip,
         close: *close,

@@ -176,8 +176,9 @@ fn pictures(folder: &Path) -> anyhow::Result<Pictures> {
     let dot = |(row, close): (&Row, &bool)| Dot {
         name: row.choice.clone(),
         hue: Some(usize::from(row.look != "plain")),
-        worst: number(&row.error_mean),
-        mean: number(&row.error_mean),
+        worst: row.error_mean.clone(),
+        mean: row.error_mean.clone(),
+        exact: true,
         speed: spread(&rates(row)),
         frontier: row.frontier,
         close: *close,
