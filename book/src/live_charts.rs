@@ -53,14 +53,16 @@ fn for_page(svg: &str) -> String {
 /// How to draw a lesson's picture by each method of a chart: those of a lesson's main table have a flag, of which each lesson has
 /// the same.
 fn commands(chart: &str) -> BTreeMap<&'static str, String> {
-    let is_of = |table: &str| chart.strip_prefix(table).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'));
+    let is_of =
+        |table: &str| chart.strip_prefix(table).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'));
     let table = tables().filter(|(name, _)| is_of(name)).max_by_key(|(name, _)| name.len());
     let lesson = LESSONS.iter().find(|lesson| is_of(&lesson.lesson.folder()));
     let (Some((_, table)), Some(lesson)) = (table, lesson) else { return BTreeMap::new() };
     if !table.name.is_empty() {
         return BTreeMap::new();
     }
-    let command = |method: &str| format!("cargo run --release -p {} -- --method {method}", lesson.lesson.name);
+    let command =
+        |method: &str| format!("cargo run --release -p {} -- --method {method}", lesson.lesson.name);
     (table.rows)().iter().map(|row| (row.name, command(row.name))).collect()
 }
 

@@ -401,9 +401,10 @@ impl Told {
                 let group = group.add(Title::new(text.as_str()));
                 if let Some(kind) = kind { group.set("data-kind", *kind) } else { group }
             }
-            Self::Value { text, at, value } => {
-                group.add(Title::new(text.as_str())).set("data-at", at.as_str()).set("data-value", value.as_str())
-            }
+            Self::Value { text, at, value } => group
+                .add(Title::new(text.as_str()))
+                .set("data-at", at.as_str())
+                .set("data-value", value.as_str()),
         }
     }
 }

@@ -295,7 +295,10 @@ impl Lines<'_> {
 
     /// What is told of a point of a line.
     fn told(&self, line: &Line, (at, value): (f64, f64)) -> Told {
-        let [at, value] = [plain_number(at), if value == 0.0 { "none".into() } else { with_unit(&three_digits(value), self.unit) }];
+        let [at, value] = [
+            plain_number(at),
+            if value == 0.0 { "none".into() } else { with_unit(&three_digits(value), self.unit) },
+        ];
         let text = format!("{}: {} {value} ({}: {at})", line.name, self.what, self.along());
         Told::Value { text, at, value }
     }
