@@ -45,7 +45,7 @@
             for (const [name, value] of Object.entries({ class: "chart-ring", r: 10, visibility: "hidden" })) ring.setAttribute(name, value);
             svg.append(ring);
             svg.addEventListener("keydown", walk);
-            svg.addEventListener("focusin", (event) => show([event.target]));
+            svg.addEventListener("focusin", ({ target }) => points.includes(target) && show([target]));
             ["pointermove", "pointerdown"].forEach((kind) => svg.addEventListener(kind, pointed));
         };
         /// The words of a mark, which a browser would show as a tip, become its name.
