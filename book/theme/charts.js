@@ -47,6 +47,8 @@
             svg.addEventListener("keydown", walk);
             svg.addEventListener("focusin", ({ target }) => points.includes(target) && show([target]));
             ["pointermove", "pointerdown"].forEach((kind) => svg.addEventListener(kind, pointed));
+            // Else the mark on top is focused and told, though another one is nearer.
+            svg.addEventListener("mousedown", (event) => event.preventDefault());
         };
         /// The words of a mark, which a browser would show as a tip, become its name.
         const prepare = (point) => {
