@@ -50,11 +50,12 @@ impl Facts {
         self.load[1] = load();
     }
 
+    /// With the names that the facts of the book's charts have.
     pub(crate) fn json(&self) -> Value {
         let Self { processor, load, date, commit, compiler, renderers } = self;
         json!({
-            "processor": processor, "load_before": load[0], "load_after": load[1], "date": date, "commit": commit,
-            "compiler": compiler, "flags": FLAGS, "renderers": renderers,
+            "machine": { "processor": processor, "commit": commit, "compiler": compiler }, "quick": false, "date": date,
+            "load_before": load[0], "load_after": load[1], "flags": FLAGS, "renderers": renderers,
         })
     }
 
