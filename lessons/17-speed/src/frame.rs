@@ -82,7 +82,8 @@ impl Frame {
     /// Draws a mesh. What was drawn before stays where it is nearer, or as near.
     pub fn draw<W: Shared>(&mut self, shader: &W, mesh: &Mesh, cull: Cull) -> Counts {
         let Self { plan, level, canvas, kept, threads } = self;
-        let size = (canvas.picture.max + 1).as_vec2();
+        let grid = canvas.grid;
+        let size = (grid.picture.max + 1).as_vec2();
         let stages = Stages::new(shader, cull, Clipping::GuardBand, size);
 
         let mut vertices: Vec<Computed<W::Varying>> = std::mem::take(kept.of());
@@ -96,7 +97,8 @@ impl Frame {
             let (count, part) = parts(mesh.faces.len(), plan.threads);
             sorted.resize_with(count, Sorted::default);
             threads.each(&mut sorted, |n, sorted| {
-                sorted.fill(&stages, &vertices, mesh.some_triangles(part(n)), canvas);
+                let triangles = mesh.some_triangles(part(n));
+                sorted.fill(&stages, &vertices, triangles, &grid, |triangle| triangle.bounds(grid.picture));
             });
             sorted.iter().for_each(|part| counts += part.counts);
             counts.vertices = vertices.len();

@@ -75,8 +75,7 @@ pub(crate) fn trilinear<S: Simd>(
 ) -> u32x8<S> {
     let (level, codes) = (level(simd, longer_squared), texture.base().codes());
     if texture.wrap == Wrap::Repeat {
-        let mut lights = [Vec4::ZERO; LANES];
-        repeated(simd, texture, [u, v], level, asked, &mut lights);
+        let lights = repeated(simd, texture, [u, v], level, asked);
         return each(simd, asked, |lane| codes.color(lights[lane]));
     }
     let [u, v, level] = [u.to_array(), v.to_array(), level.to_array()];
@@ -97,8 +96,7 @@ fn repeated<S: Simd>(
     [u, v]: [f32x8<S>; 2],
     level: f32x8<S>,
     asked: u8,
-    lights: &mut [Vec4; LANES],
-) {
+) -> [Vec4; LANES] {
     let levels = texture.levels();
     let last = levels.len() - 1;
     let finer = level.min(last as f32).to_int::<i32x8<S>>();
@@ -109,15 +107,27 @@ fn repeated<S: Simd>(
     let coarser = finer.map(|level| (level + 1).min(last));
     let (u, v) = (fraction(simd, u), fraction(simd, v));
     let of = |numbers: [usize; LANES]| numbers.map(|number| &levels[number]);
-    let (finer, coarser) = (of(finer), of(coarser));
-    let columns = [between(simd, u, finer.map(Level::width)), between(simd, u, coarser.map(Level::width))];
-    let rows = [between(simd, v, finer.map(Level::height)), between(simd, v, coarser.map(Level::height))];
-    let share = share.to_array();
-    for lane in lanes(asked) {
-        let fine = four(finer[lane], columns[0].lane(lane), rows[0].lane(lane));
-        let coarse = four(coarser[lane], columns[1].lane(lane), rows[1].lane(lane));
-        lights[lane] = mix(fine, coarse, share[lane]);
+    let mut lights = within(simd, of(finer), [u, v], asked);
+    // Where texels are larger than pixels level 0 is all that counts; and they mostly are for eight fragments or for none.
+    if share.simd_gt(0.0).any_true() {
+        let (coarse, share) = (within(simd, of(coarser), [u, v], asked), share.to_array());
+        for lane in 0..LANES {
+            lights[lane] = mix(lights[lane], coarse[lane], share[lane]);
+        }
     }
+    lights
+}
+
+/// The light of each one's level between four texels, at places from 0 to 1.
+#[inline(always)]
+fn within<S: Simd>(simd: S, levels: [&Level; LANES], [u, v]: [f32x8<S>; 2], asked: u8) -> [Vec4; LANES] {
+    let columns = between(simd, u, levels.map(Level::width));
+    let rows = between(simd, v, levels.map(Level::height));
+    let mut lights = [Vec4::ZERO; LANES];
+    for lane in lanes(asked) {
+        lights[lane] = four(levels[lane], columns.lane(lane), rows.lane(lane));
+    }
+    lights
 }
 
 /// The light between four texels.

@@ -1,10 +1,11 @@
 //! Tiles of the picture, and their blocks.
 
-use common::{Bounds, Color, IVec2};
+use common::{Bounds, Color};
 use fearless_simd::{Simd, f32x8, prelude::*};
 
 use crate::blocks::SIDE;
 use crate::eight::{packed, unpacked};
+use crate::tiles::Grid;
 
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -113,12 +114,7 @@ impl Tile {
 /// A picture in tiles.
 #[derive(Debug)]
 pub(crate) struct Canvas {
-    /// Its pixels.
-    pub(crate) picture: Bounds,
-    /// A tile's side in pixels.
-    side: i32,
-    /// Tiles in a row.
-    pub(crate) across: usize,
+    pub(crate) grid: Grid,
     pub(crate) tiles: Vec<Tile>,
     pub(crate) background: u32,
     /// A tile's row where nothing was drawn.
@@ -127,23 +123,10 @@ pub(crate) struct Canvas {
 
 impl Canvas {
     /// Of so many pixels, in tiles of a side that is a multiple of a block's.
-    pub(crate) fn new([width, height]: [i32; 2], side: i32, is_deferred: bool) -> Self {
-        let picture = Bounds { min: IVec2::ZERO, max: IVec2::new(width, height) - 1 };
-        let starts = |end: i32| (0..end).step_by(side as usize);
-        let corners = starts(height).flat_map(|y| starts(width).map(move |x| IVec2::new(x, y)));
-        let tile = |(number, min): (usize, IVec2)| {
-            let bounds = Bounds { min, max: (min + side - 1).min(picture.max) };
-            Tile::new(number, bounds, is_deferred)
-        };
-        let tiles = corners.enumerate().map(tile).collect();
-        Self {
-            picture,
-            side,
-            across: starts(width).len(),
-            tiles,
-            background: 0,
-            empty: vec![0; side as usize],
-        }
+    pub(crate) fn new(size: [i32; 2], side: i32, is_deferred: bool) -> Self {
+        let grid = Grid::new(size, side);
+        let tiles = (0..grid.count).map(|number| Tile::new(number, grid.tile(number), is_deferred)).collect();
+        Self { grid, tiles, background: 0, empty: vec![0; side as usize] }
     }
 
     /// Forgets what was drawn.
@@ -153,17 +136,12 @@ impl Canvas {
         self.tiles.iter_mut().for_each(|tile| tile.is_used = false);
     }
 
-    /// The columns and rows of tiles that hold some of these pixels.
-    #[inline(always)]
-    pub(crate) fn touched(&self, pixels: Bounds) -> Bounds {
-        Bounds { min: pixels.min / self.side, max: pixels.max / self.side }
-    }
-
     /// Copies a row to a picture, pixels of so many bytes each.
     pub(crate) fn copy_row(&self, y: usize, to: &mut [u8], bytes: usize) {
-        let first = y / self.side as usize * self.across;
-        let parts = to.chunks_mut(self.side as usize * bytes);
-        for (tile, to) in self.tiles[first..first + self.across].iter().zip(parts) {
+        let Grid { side, across, .. } = self.grid;
+        let first = y / side as usize * across;
+        let parts = to.chunks_mut(side as usize * bytes);
+        for (tile, to) in self.tiles[first..first + across].iter().zip(parts) {
             if tile.is_used {
                 write(&tile.colors[tile.place(tile.bounds.min.x, y as i32)..], to, bytes);
             } else {

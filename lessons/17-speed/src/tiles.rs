@@ -10,11 +10,38 @@ use std::ops::Range;
 
 use clipping::Counts;
 use clipping::render::{Computed, Stages};
-use common::Bounds;
+use common::{Bounds, IVec2};
+use shaders::shader::Shader;
 
-use crate::frame::Shared;
-use crate::tile::Canvas;
 use crate::triangle::Ready;
+
+/// A picture's tiles, row after row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    /// The picture's pixels.
+    pub(crate) picture: Bounds,
+    /// A tile's side in pixels.
+    pub(crate) side: i32,
+    /// Tiles in a row.
+    pub(crate) across: usize,
+    /// How many there are.
+    pub(crate) count: usize,
+}
+
+impl Grid {
+    /// Of a picture with so many columns and rows of pixels.
+    pub(crate) fn new(size: [i32; 2], side: i32) -> Self {
+        let [across, rows] = size.map(|pixels| (pixels as usize).div_ceil(side as usize));
+        let picture = Bounds { min: IVec2::ZERO, max: IVec2::from_array(size) - 1 };
+        Self { picture, side, across, count: across * rows }
+    }
+
+    /// A tile's pixels, as far as they are in the picture.
+    pub(crate) fn tile(&self, number: usize) -> Bounds {
+        let min = IVec2::new((number % self.across) as i32, (number / self.across) as i32) * self.side;
+        Bounds { min, max: (min + self.side - 1).min(self.picture.max) }
+    }
+}
 
 /// Some of a drawing's triangles: for each tile those that reach into it, in the order in which they are to be drawn. They are
 /// kept there themselves, not by number: of a million in random places, each one's memory would have to be waited for. Memory is
@@ -33,27 +60,28 @@ impl<C, V> Default for Sorted<C, V> {
 
 // ANCHOR: sort
 impl<C: Copy, V: Copy> Sorted<C, V> {
-    /// Sorts those triangles.
-    pub(crate) fn fill<W: Shared<Constant = C, Varying = V>>(
+    /// Sorts those triangles; `pixels` tells which ones of the picture a triangle may reach, `max` below `min` where none.
+    pub(crate) fn fill<S: Shader<Constant = C, Varying = V>>(
         &mut self,
-        stages: &Stages<W>,
+        stages: &Stages<S>,
         vertices: &[Computed<V>],
         triangles: impl Iterator<Item = (usize, [u32; 3])>,
-        canvas: &Canvas,
+        grid: &Grid,
+        pixels: impl Fn(&Ready<C, V>) -> Bounds,
     ) {
         let Self { by_tile, counts } = self;
-        by_tile.resize_with(canvas.tiles.len(), Vec::new);
+        by_tile.resize_with(grid.count, Vec::new);
         by_tile.iter_mut().for_each(Vec::clear);
         *counts = stages.triangles(vertices, triangles, |constant, corners, varyings| {
             let Some(triangle) = Ready::new(corners, constant, varyings) else { return };
-            let bounds = triangle.bounds(canvas.picture);
-            if bounds.max.cmplt(bounds.min).any() {
+            let Bounds { min, max } = pixels(&triangle);
+            if max.cmplt(min).any() {
                 return;
             }
-            let Bounds { min, max } = canvas.touched(bounds);
-            for y in min.y..=max.y {
-                for x in min.x..=max.x {
-                    by_tile[y as usize * canvas.across + x as usize].push(triangle);
+            let (first, last) = (min / grid.side, max / grid.side);
+            for y in first.y..=last.y {
+                for x in first.x..=last.x {
+                    by_tile[y as usize * grid.across + x as usize].push(triangle);
                 }
             }
         });

@@ -50,6 +50,13 @@ impl<C, V> Ready<C, V> {
         near.then_some(Self { corners, z, inverse_w, constant, varyings })
     }
 
+    /// Where it is, and not how it looks.
+    #[inline(always)]
+    pub(crate) fn bare(&self) -> Ready<(), ()> {
+        let &Self { corners, z, inverse_w, .. } = self;
+        Ready { corners, z, inverse_w, constant: (), varyings: [(); 3] }
+    }
+
     /// The pixels with their centre in the box about the corners, in a picture of these; empty where `max` is below `min`.
     #[inline(always)]
     pub(crate) fn bounds(&self, picture: Bounds) -> Bounds {

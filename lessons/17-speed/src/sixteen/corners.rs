@@ -35,28 +35,14 @@ impl Varying for Numbers {
     }
 }
 
-/// What is the same all over a triangle.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Constant {
-    /// The number of its pass.
-    pub(crate) pass: usize,
-    /// How (u, v) change, if a filter asks for it.
-    pub(crate) gradients: Option<Gradients>,
-}
-
-impl Constant {
-    #[inline(always)]
-    pub(crate) fn gradients(&self) -> Option<&Gradients> {
-        self.gradients.as_ref()
-    }
-}
+/// How (u, v) change over a triangle, if a filter asks for it.
+pub(crate) type Constant = Option<Gradients>;
 
 /// A triangle of any look.
 pub(crate) type Triangle = Ready<Constant, Numbers>;
 
 /// A pass as a shader, as far as vertices and triangles go: fragments are shaded elsewhere.
 pub(crate) struct Corners<'a> {
-    pub(crate) number: usize,
     pub(crate) pass: &'a Pass<'a>,
     pub(crate) placed: Placed<'a>,
     pub(crate) style: Style,
@@ -76,16 +62,15 @@ impl Shader for Corners<'_> {
 
     #[inline(always)]
     fn triangle(&self, face: usize) -> Option<Constant> {
-        let Self { number, pass: &Pass { mesh, .. }, style, size, .. } = *self;
-        let gradients = match mesh.paint() {
+        let Self { pass: &Pass { mesh, .. }, style, size, .. } = *self;
+        Some(match mesh.paint() {
             Paint::Texture(texture) => {
                 let vertices = [0, 1, 2].map(|corner| mesh.vertex(face, corner));
                 let textured = Textured { texture, uvs: mesh.uvs(), filter: style.filter, size };
                 textured.triangle(vertices, || vertices.map(|vertex| self.position(vertex)))
             }
             Paint::Color(_) | Paint::Colors(_) => None,
-        };
-        Some(Constant { pass: number, gradients })
+        })
     }
 
     #[inline(always)]

@@ -9,7 +9,7 @@ use scene::mesh::Paint;
 use scene::render::Pass;
 use scene::scene::{Filtering, Shading, Style};
 
-use super::corners::{COLOR, Constant, NORMAL, POINT, Triangle, UV};
+use super::corners::{COLOR, NORMAL, POINT, Triangle, UV};
 use super::light::{Lamp, blinn, lit};
 use super::tile::{PIXELS, Tile};
 use crate::eight::{code, corners, pack, packed};
@@ -39,7 +39,7 @@ impl<'a> Look<'a> {
 /// A part of a triangle that is seen in a pixel.
 #[derive(Clone, Copy, Default)]
 struct Seen {
-    /// The triangle's number.
+    /// The triangle's number among those of the pass in the tile.
     triangle: u32,
     /// The pixel's place in the tile.
     place: u16,
@@ -49,7 +49,7 @@ struct Seen {
     weights: Vec3,
 }
 
-/// Those of a pass that wait to be shaded: fewer than eight, and those of one triangle more.
+/// Those of a pass in a tile that wait to be shaded: fewer than eight, and those of one triangle more.
 pub(crate) struct Fragments(Vec<Seen>);
 
 impl Default for Fragments {
@@ -103,7 +103,52 @@ impl Fragments {
     }
 }
 
-impl<S: Simd> Group<'_, S> {
+impl<'a, S: Simd> Group<'a, S> {
+    /// From the weights in the picture.
+    #[inline(always)]
+    pub(crate) fn new(
+        simd: S,
+        parts: &'a [(u8, &'a Triangle)],
+        pixels: [[i32; LANES]; 2],
+        weights: [f32x8<S>; 3],
+    ) -> Self {
+        Self { parts, pixels, weights: in_space(simd, parts, weights) }
+    }
+
+    /// Their colours. Compiled once for each set of instructions.
+    #[inline(always)]
+    pub(crate) fn colors(&self, simd: S, look: &Look) -> [u32; LANES] {
+        simd.vectorize(
+            #[inline(always)]
+            || self.shaded(simd, look).to_array(),
+        )
+    }
+
+    #[inline(always)]
+    fn shaded(&self, simd: S, look: &Look) -> u32x8<S> {
+        let base = match look.paint {
+            Paint::Color(color) => u32x8::splat(simd, packed(*color)),
+            Paint::Colors(_) => {
+                let [r, g, b] = self.vector(simd, COLOR);
+                let a = self.number(simd, COLOR + 3);
+                pack([code(simd, r + 0.5), code(simd, g + 0.5), code(simd, b + 0.5), code(simd, a + 0.5)])
+            }
+            Paint::Texture(texture) => {
+                let uv = [self.number(simd, UV), self.number(simd, UV + 1)];
+                self.texels(simd, texture, look.style.filter, uv)
+            }
+        };
+        match look.style.shading {
+            Shading::Unlit => base,
+            Shading::Phong => lit(simd, base, self.number(simd, POINT), self.number(simd, POINT + 1)),
+            Shading::BlinnPhong => {
+                let (point, normal) = (self.vector(simd, POINT), self.vector(simd, NORMAL));
+                let [body, highlight] = blinn(simd, look.lamps, point, normal, look.eye);
+                lit(simd, base, body, highlight)
+            }
+        }
+    }
+
     /// The `n`th of the numbers that are interpolated.
     #[inline(always)]
     fn number(&self, simd: S, n: usize) -> f32x8<S> {
@@ -135,43 +180,25 @@ impl<S: Simd> Group<'_, S> {
             Filtering::Trilinear => {
                 let pixels = &self.pixels;
                 let longer_squared =
-                    texels::longer_squared(simd, base.size(), pixels, self.parts, Constant::gradients, uv);
+                    texels::longer_squared(simd, base.size(), pixels, self.parts, Option::as_ref, uv);
                 texels::trilinear(simd, texture, uv, longer_squared, all)
             }
         }
     }
 }
 
-/// The colours of eight fragments, put into the tile.
+/// Shades eight fragments, and puts their colours into the tile.
 #[inline(always)]
 fn shade<S: Simd>(simd: S, look: &Look, triangles: &[Triangle], seen: &[Seen; LANES], tile: &mut Tile) {
     let (parts, count) = parts(triangles, seen);
     let parts = &parts[..count];
     let pixels = seen.map(|one| tile.pixel(one.place.into()));
     let pixels = [pixels.map(|pixel| pixel.x), pixels.map(|pixel| pixel.y)];
-    let eight = Group { parts, pixels, weights: weights(simd, parts, seen) };
-    let base = match look.paint {
-        Paint::Color(color) => u32x8::splat(simd, packed(*color)),
-        Paint::Colors(_) => {
-            let [r, g, b] = eight.vector(simd, COLOR);
-            let a = eight.number(simd, COLOR + 3);
-            pack([code(simd, r + 0.5), code(simd, g + 0.5), code(simd, b + 0.5), code(simd, a + 0.5)])
-        }
-        Paint::Texture(texture) => {
-            let uv = [eight.number(simd, UV), eight.number(simd, UV + 1)];
-            eight.texels(simd, texture, look.style.filter, uv)
-        }
-    };
-    let shaded = match look.style.shading {
-        Shading::Unlit => base,
-        Shading::Phong => lit(simd, base, eight.number(simd, POINT), eight.number(simd, POINT + 1)),
-        Shading::BlinnPhong => {
-            let (point, normal) = (eight.vector(simd, POINT), eight.vector(simd, NORMAL));
-            let [body, highlight] = blinn(simd, look.lamps, point, normal, look.eye);
-            lit(simd, base, body, highlight)
-        }
-    };
-    for (&Seen { place, samples, .. }, &color) in seen.iter().zip(shaded.as_slice()) {
+    let x = f32x8::load_array(simd, seen.map(|one| one.weights.x));
+    let y = f32x8::load_array(simd, seen.map(|one| one.weights.y));
+    let z = f32x8::load_array(simd, seen.map(|one| one.weights.z));
+    let colors = Group::new(simd, parts, pixels, [x, y, z]).colors(simd, look);
+    for (&Seen { place, samples, .. }, color) in seen.iter().zip(colors) {
         let (place, samples) = (usize::from(place), u32::from(samples));
         match look.alpha {
             _ if samples == 0 => {}
@@ -198,14 +225,4 @@ fn parts<'a>(triangles: &'a [Triangle], seen: &[Seen; LANES]) -> ([(u8, &'a Tria
         parts[count - 1].0 |= 1 << lane;
     }
     (parts, count)
-}
-
-/// The weights on the triangles in space, from those in the picture: lesson 10's `perspective_weights`.
-#[inline(always)]
-fn weights<S: Simd>(simd: S, parts: &[(u8, &Triangle)], seen: &[Seen; LANES]) -> [f32x8<S>; 3] {
-    let weights = seen.map(|one| one.weights);
-    let x = f32x8::load_array(simd, weights.map(|weights| weights.x));
-    let y = f32x8::load_array(simd, weights.map(|weights| weights.y));
-    let z = f32x8::load_array(simd, weights.map(|weights| weights.z));
-    in_space(simd, parts, [x, y, z])
 }

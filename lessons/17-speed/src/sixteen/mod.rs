@@ -3,7 +3,8 @@
 //! **Better:** a picture of 1024×768 pixels has 100 MB of samples, which pass through the cache for each surface that is drawn.
 //! Here all triangles of a frame are sorted into tiles first, and a tile is drawn at once, from the first surface to the last,
 //! and resolved: its samples, 132 KB, stay in a core's second cache, and each core needs just one tile. Sixteen samples are
-//! covered and compared by a few instructions; fragments, of whatever triangles, are shaded eight at a time.
+//! covered and compared by a few instructions; fragments, of whatever triangles, are shaded eight at a time. A block of 8×8
+//! pixels that one triangle covers is painted without any of it, and has no depths until another triangle comes.
 //! **What it costs:** meshes of all looks must be one kind of triangle, so what is interpolated is an array of numbers
 //! (`corners`), and what it means is told when the program runs, once for eight fragments.
 //!
@@ -21,15 +22,17 @@ use std::sync::{Mutex, PoisonError};
 
 use clipping::render::{Computed, Stages};
 use clipping::{Clipping, Counts};
-use common::{Bounds, IVec2, Image};
+use common::Image;
 use fearless_simd::{Level, dispatch};
+use filtering::footprint::Gradients;
 use scene::lamps::Lamps;
 use scene::render::{Frame, Loops, Pass, Renderer};
 use scene::scene::Style;
 
 use crate::eight::packed;
 use crate::threads::Threads;
-use corners::{Corners, Numbers, Triangle};
+use crate::tiles::{Grid, Sorted};
+use corners::{Corners, Numbers};
 use fragments::{Fragments, Look};
 use light::Lamp;
 use tile::{SIDE, Tile};
@@ -47,12 +50,16 @@ struct Tiled {
     level: Level,
     /// For the vertices, and for the pixels.
     lamps: (Lamps, Vec<Lamp>),
-    vertices: Vec<Computed<Numbers>>,
-    triangles: Vec<Triangle>,
-    /// For each tile the numbers of the triangles that reach into it.
-    by_tile: Vec<Vec<u32>>,
+    passes: Vec<Prepared>,
     /// For each thread what it works with.
     desks: Vec<Mutex<Desk>>,
+}
+
+/// A pass, ready to be drawn.
+#[derive(Default)]
+struct Prepared {
+    vertices: Vec<Computed<Numbers>>,
+    sorted: Sorted<Option<Gradients>, Numbers>,
 }
 
 /// A tile, and the fragments in it that are not shaded yet.
@@ -72,9 +79,7 @@ impl Sixteen {
         let tiled = Tiled {
             level: Level::new(),
             lamps: Default::default(),
-            vertices: Vec::new(),
-            triangles: Vec::new(),
-            by_tile: Vec::new(),
+            passes: Vec::new(),
             desks: (0..threads.max(1)).map(|_| Mutex::default()).collect(),
         };
         Self { threads: Threads::new(threads), tiled, loops: Loops::default() }
@@ -87,78 +92,48 @@ impl Sixteen {
     }
 }
 
-impl Tiled {
+impl Prepared {
     /// Computes the vertices of a pass, and sorts its triangles into tiles.
-    fn sort(
-        &mut self,
-        threads: &Threads,
-        number: usize,
-        pass: &Pass,
-        style: Style,
-        picture: Bounds,
-    ) -> Counts {
-        let Self { lamps, vertices, triangles, by_tile, .. } = self;
-        let size = (picture.max + 1).as_vec2();
-        let across = tiles(picture).x;
-        let corners = Corners { number, pass, placed: pass.placed(&lamps.0), style, size };
-        let fill = |constant, corners, numbers| {
-            let Some(triangle) = Triangle::new(corners, constant, numbers) else { return };
-            let Bounds { min, max } = triangle.pixels(picture);
-            if max.cmplt(min).any() {
-                return;
-            }
-            let (first, last) = (min / SIDE, max / SIDE);
-            for y in first.y..=last.y {
-                for x in first.x..=last.x {
-                    by_tile[(y * across + x) as usize].push(triangles.len() as u32);
-                }
-            }
-            triangles.push(triangle);
-        };
-        let mesh = pass.mesh.assembled();
+    fn prepare(&mut self, pass: &Pass, lamps: &Lamps, style: Style, grid: &Grid) {
+        let Self { vertices, sorted } = self;
+        let size = (grid.picture.max + 1).as_vec2();
+        let corners = Corners { pass, placed: pass.placed(lamps), style, size };
         let stages = Stages::new(&corners, pass.cull, Clipping::GuardBand, size);
-        threads.fill(vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
-        stages.triangles(vertices, mesh.triangles(), fill)
+        let mesh = pass.mesh.assembled();
+        vertices.clear();
+        vertices.extend(mesh.vertices.iter().map(|vertex| stages.vertex(vertex)));
+        sorted.fill(&stages, vertices, mesh.triangles(), grid, |triangle| triangle.pixels(grid.picture));
     }
 }
 
 /// All that is known of a frame once its triangles are sorted.
-struct Sorted<'a> {
-    picture: Bounds,
+struct Ordered<'a> {
+    grid: Grid,
     background: u32,
     looks: &'a [Look<'a>],
-    triangles: &'a [Triangle],
-    by_tile: &'a [Vec<u32>],
+    passes: &'a [Prepared],
     desks: &'a [Mutex<Desk>],
     level: Level,
 }
 
-impl Sorted<'_> {
+impl Ordered<'_> {
     /// Draws a row of tiles into its bytes of the picture.
     fn draw_row(&self, row: usize, bytes: &mut [u8]) {
         let desk = &self.desks[rayon::current_thread_index().unwrap_or(0) % self.desks.len()];
         // Each thread has its own, so none waits here.
         let Desk { tile, fragments } = &mut *desk.lock().unwrap_or_else(PoisonError::into_inner);
-        let max = self.picture.max;
-        let across = tiles(self.picture).x as usize;
-        for (x, numbers) in (0..).zip(&self.by_tile[row * across..(row + 1) * across]) {
-            let min = IVec2::new(x, row as i32) * SIDE;
-            tile.bounds = Bounds { min, max: (min + SIDE - 1).min(max) };
+        let Grid { picture, across, .. } = self.grid;
+        for number in row * across..(row + 1) * across {
+            tile.bounds = self.grid.tile(number);
             tile.clear(self.background);
             dispatch!(self.level, simd => {
-                if !numbers.is_empty() {
-                    tile.depths.as_flattened_mut().fill(1.0);
-                    raster::draw(simd, self.looks, self.triangles, numbers, tile, fragments);
+                for (look, pass) in self.looks.iter().zip(self.passes) {
+                    raster::draw(simd, look, &pass.sorted.by_tile[number], tile, fragments);
                 }
-                tile.resolve(simd, bytes, max.x as usize + 1);
+                tile.resolve(simd, bytes, picture.max.x as usize + 1);
             });
         }
     }
-}
-
-/// How many tiles a picture has in a row, and rows of them.
-fn tiles(picture: Bounds) -> IVec2 {
-    (picture.max + SIDE) / SIDE
 }
 
 impl Renderer for Sixteen {
@@ -174,33 +149,24 @@ impl Renderer for Sixteen {
 
 impl Tiled {
     fn draw(&mut self, threads: &Threads, frame: &Frame, picture: &mut Image) -> Counts {
-        let (scene, bounds) = (frame.scene, picture.bounds());
+        let scene = frame.scene;
+        let grid = Grid::new([picture.width(), picture.height()], SIDE);
         self.lamps.0.set(&scene.lights);
         self.lamps.1.clear();
         self.lamps.1.extend(scene.lights.iter().map(Lamp::new));
-        self.triangles.clear();
-        let IVec2 { x: across, y: up } = tiles(bounds);
-        self.by_tile.resize_with((across * up) as usize, Vec::new);
-        self.by_tile.iter_mut().for_each(Vec::clear);
+        let Self { level, lamps: (at_vertices, at_pixels), passes, desks } = self;
+        let drawn: Vec<Pass> = frame.passes().collect();
+        passes.resize_with(passes.len().max(drawn.len()), Prepared::default);
+        let passes = &mut passes[..drawn.len()];
+        threads.each(passes, |n, pass| pass.prepare(&drawn[n], at_vertices, scene.style, &grid));
         let mut counts = Counts::default();
-        let passes: Vec<Pass> = frame.passes().collect();
-        for (number, pass) in passes.iter().enumerate() {
-            counts += self.sort(threads, number, pass, scene.style, bounds);
-        }
-        let looks: Vec<Look> =
-            passes.iter().map(|pass| Look::new(pass, scene.style, &self.lamps.1)).collect();
-        let sorted = Sorted {
-            picture: bounds,
-            background: packed(scene.background),
-            looks: &looks,
-            triangles: &self.triangles,
-            by_tile: &self.by_tile,
-            desks: &self.desks,
-            level: self.level,
-        };
+        passes.iter().for_each(|pass| counts += pass.sorted.counts);
+        let looks: Vec<Look> = drawn.iter().map(|pass| Look::new(pass, scene.style, at_pixels)).collect();
+        let background = packed(scene.background);
+        let ordered = Ordered { grid, background, looks: &looks, passes, desks, level: *level };
         // A picture without pixels has no row.
         let row = (SIDE as usize * 3 * picture.width() as usize).max(1);
-        threads.each_piece(picture.buffer_mut(), row, |row, bytes| sorted.draw_row(row, bytes));
+        threads.each_piece(picture.buffer_mut(), row, |row, bytes| ordered.draw_row(row, bytes));
         counts
     }
 }
@@ -334,6 +300,30 @@ mod tests {
         });
         let lights = lights.map(|light| PointLight { specular: light.specular.max(0.0), ..light }).collect();
         Scene { entities, lights, background: Color::rgb(10, 20, 30), style }
+    }
+
+    #[test]
+    fn what_is_on_the_far_plane_is_not_seen() {
+        let corner =
+            |x: f32, y: f32| Vertex { position: Vec3::new(x, y, 0.0), normal: Vec3::Z, uv: Vec2::ZERO };
+        let vertices = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| corner(x, y));
+        let square = Shape { vertices: vertices.to_vec(), triangles: vec![[0, 1, 2], [0, 2, 3]] };
+        let mesh = Mesh::new(&square, Paint::Color(Color::WHITE));
+        let style = Style { shading: Shading::Unlit, filter: Filtering::Nearest, cull: Cull::None };
+        let entities = vec![Entity::new(Levels::one(mesh))];
+        let scene = Scene { entities, lights: Vec::new(), background: Color::BLACK, style };
+        let mut targets = targets(64, 64);
+        targets.iter_mut().for_each(|target| target.antialiased = true);
+        for (depth, lit) in [(1.0, 0), (0.5, 64 * 64)] {
+            let mut projection = Mat4::IDENTITY;
+            projection.w_axis.z = depth;
+            assert_same(&mut targets, &format!("depth {depth}"), |target| {
+                render_scene(&scene, target, &projection, &Mat4::IDENTITY)
+            });
+            let white =
+                |target: &Target| target.picture().pixels().filter(|pixel| pixel.2 == Color::WHITE).count();
+            assert_eq!(white(&targets[1]), lit, "depth {depth}");
+        }
     }
 
     #[test]

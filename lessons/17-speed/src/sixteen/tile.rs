@@ -6,7 +6,9 @@ use common::{Bounds, IVec2};
 use fearless_simd::{Simd, mask32x8, prelude::*, u32x8};
 
 use super::samples::{ALL, SAMPLES};
+use crate::blocks::SIDE as BLOCK;
 use crate::eight::{merged, packed, unpacked};
+use crate::triangle::Ready;
 
 /// A tile's side in pixels.
 pub(crate) const SIDE: i32 = 32;
@@ -14,11 +16,27 @@ pub(crate) const SIDE: i32 = 32;
 /// How many pixels it has.
 pub(crate) const PIXELS: usize = (SIDE * SIDE) as usize;
 
+/// How many blocks of 8×8 pixels it has.
+const BLOCKS: usize = PIXELS / (BLOCK * BLOCK) as usize;
+
+/// What the depths of a block's samples are.
+#[derive(Clone, Copy)]
+pub(crate) enum Known {
+    /// All as far as can be.
+    Cleared,
+    /// Those of a triangle that covers the whole block.
+    Of(Ready<(), ()>),
+    /// What is written in the tile.
+    Written,
+}
+
 /// The samples of a rectangle of the picture.
 pub(crate) struct Tile {
     /// Its pixels.
     pub(crate) bounds: Bounds,
+    /// The depths of each pixel's samples, in blocks where they are written.
     pub(crate) depths: Vec<[f32; SAMPLES]>,
+    pub(crate) known: [Known; BLOCKS],
     /// The colour of a pixel whose samples all have it.
     one: Vec<u32>,
     /// The colours of a pixel that has several.
@@ -31,6 +49,7 @@ impl Default for Tile {
         Self {
             bounds: Bounds { min: IVec2::ZERO, max: IVec2::ZERO },
             depths: vec![[1.0; SAMPLES]; PIXELS],
+            known: [Known::Cleared; BLOCKS],
             one: vec![0; PIXELS],
             several: vec![[0; SAMPLES]; PIXELS],
             has_several: vec![false; PIXELS],
@@ -39,8 +58,9 @@ impl Default for Tile {
 }
 
 impl Tile {
-    /// Forgets what was drawn. Depths are kept: who draws clears them.
+    /// Forgets what was drawn.
     pub(crate) fn clear(&mut self, background: u32) {
+        self.known.fill(Known::Cleared);
         self.one.fill(background);
         self.has_several.fill(false);
     }
@@ -51,10 +71,22 @@ impl Tile {
         ((y - self.bounds.min.y) * SIDE + x - self.bounds.min.x) as usize
     }
 
+    /// The number of the block that a pixel is in.
+    #[inline(always)]
+    pub(crate) fn block(&self, x: i32, y: i32) -> usize {
+        ((y - self.bounds.min.y) / BLOCK * (SIDE / BLOCK) + (x - self.bounds.min.x) / BLOCK) as usize
+    }
+
     /// The pixel in that place.
     #[inline(always)]
     pub(crate) fn pixel(&self, place: usize) -> IVec2 {
         self.bounds.min + IVec2::new(place as i32 % SIDE, place as i32 / SIDE)
+    }
+
+    /// Gives eight pixels of a row that were not drawn to their colours.
+    #[inline(always)]
+    pub(crate) fn paint_row(&mut self, place: usize, colors: [u32; 8]) {
+        self.one[place..place + 8].copy_from_slice(&colors);
     }
 
     /// Gives those samples of a pixel a colour whose bits are set.
