@@ -64,8 +64,13 @@ impl Display {
     /// Runs the lesson's program, and waits until it shows something. A screen's scale is how many of its pixels are one
     /// for a program, each way.
     pub(crate) fn show(&self, scale: u8, arguments: &[&str]) -> Shown<'_> {
+        self.show_by("scene", scale, arguments)
+    }
+
+    /// The same of another lesson's program.
+    pub(crate) fn show_by(&self, lesson: &str, scale: u8, arguments: &[&str]) -> Shown<'_> {
         let folder = std::env::temp_dir();
-        let program = verify::program("scene", &folder)
+        let program = verify::program(lesson, &folder)
             .args(arguments)
             .env("DISPLAY", &self.name)
             .env("WINIT_X11_SCALE_FACTOR", scale.to_string())

@@ -213,3 +213,22 @@ fn escape_and_the_close_button_end_it() {
     shown.close();
     assert_eq!(shown.end().code(), Some(0));
 }
+
+#[test]
+#[ignore = "takes Xvfb and xdotool, which .ci/run installs"]
+fn lesson_17_opens_the_same_window() {
+    let display = Display::new();
+    let still = ["--window", "--scene", "0", "--size", "331x247"];
+    let shown = display.show_by("speed", 1, &still);
+    shown.assert_shows(&drawn("0", "331x247", ""), "version 0");
+    drop(shown);
+    // The default one has sixteen samples a pixel until F2 is pressed.
+    let shown = display.show_by("speed", 1, &["--window", "--threads", "2"]);
+    assert!(shown.is_moving());
+    display.xdotool(&["key", "F2"]);
+    assert!(shown.is_moving());
+    display.xdotool(&["key", "space"]);
+    shown.wait_until_still();
+    display.xdotool(&["key", "Escape"]);
+    assert_eq!(shown.end().code(), Some(0));
+}
