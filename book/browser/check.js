@@ -2,15 +2,15 @@
 //
 //     npm ci && node check.js [FOLDER]     FOLDER: the book, by default target/book
 //
-// It fails on a console error, a request for anything but the book's own files, words or figures wider than
-// their column, code that is cut, scrolls or is squeezed, what scrolls and does not show it, letters of a figure too small to read, a serious finding of axe-core, and a search that finds
-// nothing. CHROMIUM names the browser where it is not /usr/bin/chromium.
+// It fails on a console error, a request for anything but the book's own files, words or figures wider than their column, code that
+// is cut, scrolls or is squeezed, what scrolls and does not show it, letters of a figure too small to read, a serious finding of
+// axe-core, and a search that finds nothing.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { launch } from "./launch.js";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const book = resolve(process.argv[2] ?? join(here, "../../target/book"));
@@ -30,12 +30,7 @@ const smallest = 10;
 const pages = readdirSync(book).filter((name) => name.endsWith(".html") && !["toc.html", "404.html"].includes(name));
 const faults = [];
 
-// Debian's Chromium asks Google's servers for things unless told not to.
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update",
-        "--disable-sync", "--disable-quic", "--no-first-run"],
-});
+const browser = await launch();
 for (const colorScheme of themes) {
     for (const width of widths) {
         const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
