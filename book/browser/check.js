@@ -106,6 +106,10 @@ function measure() {
         if (!image.alt.trim()) found.push(`${image.getAttribute("src")} has no words for who cannot see it`);
     }
     if (/\{\{|\$\$/.test(main.innerText.replace(/`[^`]*`/g, "")) && !main.querySelector("code")) found.push("shows raw marks");
+    const parts = { mfrac: 2, mover: 2, mroot: 2, msub: 2, msubsup: 3, msup: 2, munder: 2, munderover: 3 };
+    for (const formula of main.querySelectorAll(Object.keys(parts).join())) {
+        if (formula.children.length !== parts[formula.localName]) found.push(`a broken formula: ${formula.outerHTML.slice(0, 90)}`);
+    }
     if (main.querySelector("merror")) found.push("shows a broken formula");
     return found.slice(0, 8);
 }
