@@ -101,7 +101,7 @@ async function byKeys(page, figure, fault) {
         const points = [...figure.querySelectorAll(".point")];
         const at = points.indexOf(document.activeElement);
         return [at, points.map((point) => {
-            point.focus();
+            point.focus({ preventScroll: true });
             const { dataset, ariaLabel } = document.activeElement;
             const method = point.closest("[data-of]").dataset.of;
             return { told: figure.querySelector(".chart-told").textContent, method, kind: dataset.kind, label: ariaLabel ?? "" };
@@ -162,12 +162,10 @@ async function beside(figure, told, fault) {
 /// The mark that is pointed at is told, or one in the same place: by mouse, in the small window by finger.
 async function byPointer(page, figure, width, fault) {
     for (const which of [0, -1]) {
-        const [method, x, y] = await figure.evaluate(async (figure, which) => {
+        const [method, x, y] = await figure.evaluate((figure, which) => {
             const point = [...figure.querySelectorAll(".point")].at(which);
             // In the middle, where no menu covers it.
             point.scrollIntoView({ block: "center", behavior: "instant" });
-            // What a finger meets is known when the page has been shown there.
-            await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
             const { left, right, top, bottom } = point.getBoundingClientRect();
             return [point.closest("[data-of]").dataset.of, (left + right) / 2, (top + bottom) / 2];
         }, which);
