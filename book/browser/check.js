@@ -56,7 +56,8 @@ async function look(context, name, where, width, colorScheme) {
     page.on("request", (request) => request.url().startsWith(root) || request.url().startsWith("data:")
         || fault(`asks for ${request.url()}`));
     page.on("requestfailed", (request) => fault(`cannot load ${request.url()}`));
-    await page.goto(root + name, { waitUntil: "load" });
+    // The page of all chapters is large, and the machine may have other things to do.
+    await page.goto(root + name, { waitUntil: "load", timeout: 120_000 });
     await page.evaluate(() => document.fonts.ready);
     const theme = await page.evaluate(() => document.documentElement.classList.contains("navy"));
     if (theme !== (colorScheme === "dark")) fault("shows the wrong theme");
