@@ -164,8 +164,9 @@ async function byPointer(page, figure, width, fault) {
     for (const which of [0, -1]) {
         const [method, x, y] = await figure.evaluate((figure, which) => {
             const point = [...figure.querySelectorAll(".point")].at(which);
-            // In the middle, where no menu covers it.
-            point.scrollIntoView({ block: "center", behavior: "instant" });
+            // Into the middle, where no menu covers it; scrollIntoView does not take Firefox to a part of a drawing.
+            const { y } = point.getBoundingClientRect();
+            scrollBy({ top: y - innerHeight / 2, behavior: "instant" });
             const { left, right, top, bottom } = point.getBoundingClientRect();
             return [point.closest("[data-of]").dataset.of, (left + right) / 2, (top + bottom) / 2];
         }, which);
