@@ -1,16 +1,16 @@
-// Asks every chart of the built book, in headless Chromium, from files.
+// Asks every chart of the built book, in headless Chromium, or in Firefox with BROWSER=firefox, from files.
 //
 //     npm ci && node charts.js [FOLDER] [PICTURES]     FOLDER: the book, by default target/book
 //
 // It fails where a chart does not answer: where a mark, reached by keys or pointed at, tells other numbers than the measured table
 // or the table beside it; where a method that is switched off stays or does not come back; where the slider tells nothing else;
 // where a chart is missing in print or without scripts, or a request leaves the book. Pictures of all charts, one method off and
-// a mark told, are written to PICTURES, if there is such a folder. CHROMIUM names the browser where it is not /usr/bin/chromium.
+// a mark told, are written to PICTURES, if there is such a folder.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { inFirefox, launch } from "./launch.js";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const book = resolve(process.argv[2] ?? join(here, "../../target/book"));
@@ -27,15 +27,10 @@ const pages = readdirSync(book).filter((name) => name.startsWith(only) && name.e
 
 const faults = new Set();
 const count = { charts: 0, marks: 0, tables: 0, sliders: 0 };
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update",
-        "--disable-sync", "--disable-quic", "--no-first-run"],
-});
-for (const name of pages) {
-    await withoutScript(name);
-    for (const width of [1280, 390]) await look(name, width);
-}
+const browser = await launch();
+// The pages' style and script are the same.
+if (!inFirefox) await withoutScript(pages[0]);
+for (const name of pages) await look(name);
 await browser.close();
 
 for (const fault of faults) console.error(fault);
@@ -54,31 +49,36 @@ async function withoutScript(name) {
     await context.close();
 }
 
-async function look(name, width) {
-    const context = await browser.newContext({ viewport: { width, height: 900 }, hasTouch: width === 390 });
+async function look(name) {
+    const context = await browser.newContext({ viewport: { width: 390, height: 900 }, hasTouch: true });
     const page = await context.newPage();
     page.on("pageerror", (error) => faults.add(`${name}: script: ${error.message}`));
     page.on("request", (request) => request.url().startsWith(root) || request.url().startsWith("data:")
         || faults.add(`${name}: asks for ${request.url()}`));
     await page.goto(root + name);
     await page.evaluate(() => document.fonts.ready);
-    for (const figure of await page.locator("figure.chart").all()) {
-        const chart = (await figure.getAttribute("id")).replace("fig-", "");
-        const fault = (text) => faults.add(`${chart}, ${width} px: ${text}`);
-        await check(page, figure, chart, width, fault).catch((error) => fault(error.message));
+    await page.waitForFunction(() => document.querySelectorAll("figure.chart:not(.chart-on)").length === 0, null, { timeout: 5000 })
+        .catch(() => faults.add(`${name}: a chart stays still`));
+    const figures = await page.$$("figure.chart.chart-on");
+    for (const width of [390, 1280]) {
+        // Charts are drawn again when the window becomes wide.
+        await page.setViewportSize({ width, height: 900 });
+        for (const figure of figures) {
+            const chart = (await figure.getAttribute("id")).replace("fig-", "");
+            const fault = (text) => faults.add(`${chart}, ${width} px: ${text}`);
+            await check(page, figure, chart, width, fault).catch((error) => fault(error.message));
+        }
+        await colours(page, (chart) => faults.add(`${chart}, ${width} px: has the same ground on a dark page`));
     }
-    await page.emulateMedia({ media: "print" });
-    for (const figure of await page.locator("figure.chart").all()) {
-        const still = await figure.locator("img").isVisible() && !await figure.locator(".chart-live").isVisible();
-        if (!still) faults.add(`${name}: a chart is not still in print`);
-    }
+    if (!inFirefox) await page.emulateMedia({ media: "print" });
+    const still = await page.evaluate(() => [...document.querySelectorAll("figure.chart")].every((figure) =>
+        figure.querySelector("img").checkVisibility() && !figure.querySelector(".chart-live").checkVisibility()));
+    if (!inFirefox && !still) faults.add(`${name}: a chart is not still in print`);
     await context.close();
 }
 
 async function check(page, figure, chart, width, fault) {
-    await figure.locator(".chart-live").waitFor({ timeout: 5000 });
-    await figure.scrollIntoViewIfNeeded();
-    if (await figure.locator("img").isVisible()) fault("the still chart is there as well");
+    if (await figure.evaluate((figure) => figure.querySelector("img").checkVisibility())) fault("the still chart is there as well");
     const told = await byKeys(page, figure, fault);
     if (width === 1280) {
         count.charts += 1;
@@ -87,28 +87,28 @@ async function check(page, figure, chart, width, fault) {
         await beside(figure, told, fault);
     }
     await byPointer(page, figure, width, fault);
-    await switched(figure, fault);
-    await slid(page, figure, fault);
-    await colours(page, figure, fault);
+    await switched(page, figure, fault);
+    await slid(page, figure, width, fault);
     await shoot(page, figure, `${chart}-${width}`);
 }
 
 /// Goes to the second mark by an arrow key, and to all by focus. Returns what each tells.
 async function byKeys(page, figure, fault) {
     const address = page.url();
-    await figure.locator(".point[tabindex='0']").focus();
-    await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("ArrowLeft");
-    await page.keyboard.press("ArrowRight");
-    const at = await figure.evaluate((figure) => [...figure.querySelectorAll(".point")].indexOf(document.activeElement));
-    if (at !== Math.min(1, await figure.locator(".point").count() - 1)) fault(`the arrow key goes to mark ${at}`);
+    await figure.evaluate((figure) => figure.querySelector(".point[tabindex='0']").focus());
+    for (const key of ["ArrowRight", "ArrowLeft", "ArrowRight"]) await page.keyboard.press(key);
+    const [at, all] = await figure.evaluate((figure) => {
+        const points = [...figure.querySelectorAll(".point")];
+        const at = points.indexOf(document.activeElement);
+        return [at, points.map((point) => {
+            point.focus({ preventScroll: true });
+            const { dataset, ariaLabel } = document.activeElement;
+            const method = point.closest("[data-of]").dataset.of;
+            return { told: figure.querySelector(".chart-told").textContent, method, kind: dataset.kind, label: ariaLabel ?? "" };
+        })];
+    });
+    if (at !== Math.min(1, all.length - 1)) fault(`the arrow key goes to mark ${at}`);
     if (page.url() !== address) fault("the arrow keys turn the page");
-    const all = await figure.evaluate((figure) => [...figure.querySelectorAll(".point")].map((point) => {
-        point.focus();
-        const { dataset, ariaLabel } = document.activeElement;
-        const method = point.closest("[data-of]").dataset.of;
-        return { told: figure.querySelector(".chart-told").textContent, method, kind: dataset.kind, label: ariaLabel ?? "" };
-    }));
     for (const { told, method, label } of all) {
         if (!told.startsWith(method) || !told.startsWith(label.split(". Drawn by ")[0])) fault(`${method}: told is ${told}`);
     }
@@ -159,26 +159,35 @@ async function beside(figure, told, fault) {
     }
 }
 
-/// The mark that is pointed at is told, or one in the same place.
+/// The mark that is pointed at is told, or one in the same place: by mouse, in the small window by finger.
 async function byPointer(page, figure, width, fault) {
-    for (const point of [figure.locator(".point").first(), figure.locator(".point").last()]) {
-        // In the middle, where no menu covers it.
-        await point.evaluate((point) => point.scrollIntoView({ block: "center", behavior: "instant" }));
-        const { x, y, width: wide, height } = await point.boundingBox();
-        if (width === 390) await page.touchscreen.tap(x + wide / 2, y + height / 2);
-        else await page.mouse.move(x + wide / 2, y + height / 2);
-        const method = await point.evaluate((point) => point.closest("[data-of]").dataset.of);
-        const told = await figure.locator(".chart-told").textContent();
+    for (const which of [0, -1]) {
+        const [method, x, y] = await figure.evaluate((figure, which) => {
+            const point = [...figure.querySelectorAll(".point")].at(which);
+            // Into the middle, where no menu covers it; scrollIntoView does not take Firefox to a part of a drawing.
+            const { y } = point.getBoundingClientRect();
+            scrollBy({ top: y - innerHeight / 2, behavior: "instant" });
+            const { left, right, top, bottom } = point.getBoundingClientRect();
+            return [point.closest("[data-of]").dataset.of, (left + right) / 2, (top + bottom) / 2];
+        }, which);
+        await (width === 390 && !inFirefox ? page.touchscreen.tap(x, y) : page.mouse.move(x, y));
+        const told = await figure.evaluate((figure) => figure.querySelector(".chart-told").textContent);
         if (!told.includes(method)) fault(`${method} is pointed at, told is ${told}`);
     }
 }
 
-/// What is switched off is gone, and comes back: the first by keys, all by clicks.
-async function switched(figure, fault) {
-    const first = figure.locator(".chart-switches button").first();
-    await first.press("Space");
-    if (await first.getAttribute("aria-pressed") !== "false") fault("a key switches nothing off");
-    await first.press("Enter");
+/// What is switched off is gone, and comes back: the first by a key, all by clicks.
+async function switched(page, figure, fault) {
+    const pressed = () => figure.evaluate((figure) => {
+        const first = figure.querySelector(".chart-switches button");
+        first.focus();
+        return first.ariaPressed;
+    });
+    for (const [key, after] of [["Space", "false"], ["Enter", "true"]]) {
+        await pressed();
+        await page.keyboard.press(key);
+        if (await pressed() !== after) fault(`${key} switches nothing`);
+    }
     const wrong = await figure.evaluate((figure) => {
         const seen = () => [...figure.querySelectorAll(".point")].filter((point) => point.getClientRects().length).length;
         const all = seen();
@@ -192,38 +201,54 @@ async function switched(figure, fault) {
     if (wrong.length) fault(`cannot be switched off and on: ${wrong}`);
 }
 
-/// Each size tells other values, those of its marks.
-async function slid(page, figure, fault) {
-    const range = figure.locator("input[type=range]");
-    if (!await range.count()) return;
-    count.sliders += 1;
-    const values = () => figure.locator(".chart-sizes").evaluate((part) => part.textContent);
-    const expected = () => figure.evaluate((figure) => {
-        const at = figure.querySelector("input").getAttribute("aria-valuetext");
-        return [...figure.querySelectorAll(".point")].filter(({ dataset }) => dataset.at === at).map(({ dataset }) => dataset.value);
+/// Each size tells other values, those of its marks; the second one is gone to by a key.
+async function slid(page, figure, width, fault) {
+    const has = await figure.evaluate((figure) => {
+        const range = figure.querySelector("input[type=range]");
+        range?.focus();
+        return Boolean(range);
     });
-    await range.focus();
-    let before = await values();
-    for (let n = Number(await range.getAttribute("max")); n > 0; n--) {
-        await page.keyboard.press("ArrowRight");
-        const now = await values();
-        if (now === before) fault("the slider changes nothing");
-        const found = await figure.locator(".chart-values strong").allTextContents();
-        if (found.join() !== (await expected()).join() || !found.length) fault(`the slider tells ${found}`);
-        before = now;
-    }
-    await page.keyboard.press("Home");
+    if (!has) return;
+    if (width === 1280) count.sliders += 1;
+    await page.keyboard.press("ArrowRight");
+    const wrong = await figure.evaluate((figure) => {
+        const range = figure.querySelector("input[type=range]");
+        const found = range.value === "1" ? [] : [`a key moves the slider to ${range.value}`];
+        let before = "";
+        for (let n = 0; n <= range.max; n++) {
+            // The second one as the key left it.
+            const value = (n + 1) % (Number(range.max) + 1);
+            if (n) {
+                range.value = value;
+                range.dispatchEvent(new Event("input"));
+            }
+            const at = range.getAttribute("aria-valuetext");
+            const expected = [...figure.querySelectorAll(".point")].filter(({ dataset }) => dataset.at === at)
+                .map(({ dataset }) => dataset.value).join();
+            const told = [...figure.querySelectorAll(".chart-values strong")].map(({ textContent }) => textContent).join();
+            if (told !== expected || !told) found.push(`the slider tells ${told}`);
+            const now = figure.querySelector(".chart-sizes").textContent;
+            if (now === before) found.push("the slider changes nothing");
+            before = now;
+        }
+        return found;
+    });
+    wrong.forEach(fault);
 }
 
-/// A chart follows the page's theme.
-async function colours(page, figure, fault) {
-    const [light, dark] = await figure.evaluate((figure) => ["light", "navy"].map((theme) => {
-        document.documentElement.classList.remove("light", "navy");
-        document.documentElement.classList.add(theme);
-        return getComputedStyle(figure.querySelector("svg .card")).fill;
-    }));
-    await page.evaluate(() => document.documentElement.classList.replace("navy", "light"));
-    if (light === dark) fault("has the same ground on a dark page");
+/// Charts follow the page's theme.
+async function colours(page, fault) {
+    const same = await page.evaluate(() => {
+        const { classList } = document.documentElement;
+        const cards = [...document.querySelectorAll("figure.chart-on svg .card")];
+        const grounds = () => cards.map((card) => getComputedStyle(card).fill);
+        const light = grounds();
+        classList.replace("light", "navy");
+        const dark = grounds();
+        classList.replace("navy", "light");
+        return cards.filter((_, n) => light[n] === dark[n]).map((card) => card.closest("figure").id.replace("fig-", ""));
+    });
+    same.forEach(fault);
 }
 
 /// The numbers in a text; 8·10⁻⁴ is one.
@@ -237,14 +262,16 @@ function numbers(text) {
 /// A picture in either theme: a mark told, the first method off.
 async function shoot(page, figure, name) {
     if (!pictures) return;
-    const button = figure.locator(".chart-switches button").first();
-    const [several] = [await figure.locator(".chart-switches button").count() > 1];
-    if (several) await button.click();
-    await figure.locator(".point[tabindex='0']").focus();
+    const first = () => figure.evaluate((figure) => {
+        const buttons = figure.querySelectorAll(".chart-switches button");
+        if (buttons.length > 1) buttons[0].click();
+        figure.querySelector(".point[tabindex='0']").focus();
+    });
+    await first();
     for (const theme of ["light", "navy"]) {
         await page.evaluate((theme) => document.documentElement.classList.replace(theme === "navy" ? "light" : "navy", theme), theme);
         await figure.screenshot({ path: join(pictures, `${name}-${theme}.png`) });
     }
     await page.evaluate(() => document.documentElement.classList.replace("navy", "light"));
-    if (several) await button.click();
+    await first();
 }

@@ -2,15 +2,15 @@
 //
 //     npm ci && node check.js [FOLDER]     FOLDER: the book, by default target/book
 //
-// It fails on a console error, a request for anything but the book's own files, words or figures wider than
-// their column, code that is cut, scrolls or is squeezed, what scrolls and does not show it, letters of a figure too small to read, a serious finding of axe-core, and a search that finds
-// nothing. CHROMIUM names the browser where it is not /usr/bin/chromium.
+// It fails on a console error, a request for anything but the book's own files, words or figures wider than their column, code that
+// is cut, scrolls or is squeezed, what scrolls and does not show it, letters of a figure too small to read, a serious finding of
+// axe-core, and a search that finds nothing.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { launch } from "./launch.js";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const book = resolve(process.argv[2] ?? join(here, "../../target/book"));
@@ -30,12 +30,7 @@ const smallest = 10;
 const pages = readdirSync(book).filter((name) => name.endsWith(".html") && !["toc.html", "404.html"].includes(name));
 const faults = [];
 
-// Debian's Chromium asks Google's servers for things unless told not to.
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update",
-        "--disable-sync", "--disable-quic", "--no-first-run"],
-});
+const browser = await launch();
 for (const colorScheme of themes) {
     for (const width of widths) {
         const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
@@ -61,7 +56,8 @@ async function look(context, name, where, width, colorScheme) {
     page.on("request", (request) => request.url().startsWith(root) || request.url().startsWith("data:")
         || fault(`asks for ${request.url()}`));
     page.on("requestfailed", (request) => fault(`cannot load ${request.url()}`));
-    await page.goto(root + name, { waitUntil: "load" });
+    // The page of all chapters is large, and the machine may have other things to do.
+    await page.goto(root + name, { waitUntil: "load", timeout: 120_000 });
     await page.evaluate(() => document.fonts.ready);
     const theme = await page.evaluate(() => document.documentElement.classList.contains("navy"));
     if (theme !== (colorScheme === "dark")) fault("shows the wrong theme");
@@ -111,6 +107,10 @@ function measure() {
         if (!image.alt.trim()) found.push(`${image.getAttribute("src")} has no words for who cannot see it`);
     }
     if (/\{\{|\$\$/.test(main.innerText.replace(/`[^`]*`/g, "")) && !main.querySelector("code")) found.push("shows raw marks");
+    const parts = { mfrac: 2, mover: 2, mroot: 2, msub: 2, msubsup: 3, msup: 2, munder: 2, munderover: 3 };
+    for (const formula of main.querySelectorAll(Object.keys(parts).join())) {
+        if (formula.children.length !== parts[formula.localName]) found.push(`a broken formula: ${formula.outerHTML.slice(0, 90)}`);
+    }
     if (main.querySelector("merror")) found.push("shows a broken formula");
     return found.slice(0, 8);
 }

@@ -1,16 +1,17 @@
-// Moves every figure of the built book that moves, in headless Chromium, from files.
+// Moves every figure of the built book that moves, in headless Chromium, or in Firefox with BROWSER=firefox, from files.
 //
 //     npm ci && node live.js [FOLDER] [PICTURES]     FOLDER: the book, by default target/book
 //
-// It fails where a figure is not found, does not change when it is dragged or moved by the keys, does not return when it is moved
-// back, tells other numbers than book/live/states.json, which a Rust test holds the same functions against, is missing in print or
-// without scripts, or where a request leaves the book. Pictures of all figures, before and after, are written to PICTURES, if there
-// is such a folder. CHROMIUM names the browser where it is not /usr/bin/chromium.
+// It fails where a figure is not found, does not change when it is dragged by mouse or finger or moved by the keys, or does not
+// return when it is moved back; where the page scrolls when a finger drags, or does not when one goes over it; where a figure tells
+// other numbers than book/live/states.json, which a Rust test holds the same functions against, is missing in print or without
+// scripts, or where a request leaves the book. Pictures of all figures, before and after, are written to PICTURES, if there is such
+// a folder. launch.js says which browser it is, and what Firefox cannot be asked.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { inFirefox, launch } from "./launch.js";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const book = resolve(process.argv[2] ?? join(here, "../../target/book"));
@@ -24,35 +25,38 @@ if (!script.startsWith("liveFigures(")) {
 const root = pathToFileURL(book).href + "/";
 const { figures } = JSON.parse(script.slice(script.indexOf("(") + 1, script.lastIndexOf(")")));
 const states = JSON.parse(readFileSync(join(here, "../live/states.json"), "utf8"));
-const pages = readdirSync(book).filter((name) => name.endsWith(".html") && name !== "print.html");
+/// Of these pages alone, as 01: PAGE=01 node live.js
+const only = process.env.PAGE ?? "";
+const pages = readdirSync(book).filter((name) => name.startsWith(only) && name.endsWith(".html") && name !== "print.html");
 
 /// A change should take less than 16 ms. What is measured hangs on the machine, so that only ten times as much is a fault.
 const slowest = 160;
 
+/// What is taken hold of, for each kind of input that is dragged.
+const grips = { point: ".live-handle", turn: ".live-picture", slider: "input[type=range]" };
+
 const faults = [];
 const times = [];
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update",
-        "--disable-sync", "--disable-quic", "--no-first-run"],
-});
+let stated = 0;
+const browser = await launch();
 for (const figure of figures) {
     const page = pages.find((name) => readFileSync(join(book, name), "utf8").includes(`data-live="${figure.name}"`));
-    if (!page) faults.push(`${figure.name}: no page has it`);
-    else await check(figure, root + page).catch((error) => faults.push(`${figure.name}: ${error.message}`));
+    if (page) await check(figure, root + page).catch((error) => faults.push(`${figure.name}: ${error.message}`));
+    else if (!only) faults.push(`${figure.name}: no page has it`);
 }
 await browser.close();
 
 for (const fault of faults) console.error(fault);
-console.log(`${figures.length} figures that move, ${states.length} states: ${faults.length} faults`);
+console.log(`${times.length} figures that move, ${stated} states: ${faults.length} faults`);
 for (const [name, time] of times) console.log(`${name}: ${time.toFixed(1)} ms a change (median)`);
 process.exit(faults.length ? 1 : 0);
 
 async function check(figure, address) {
     const fault = (text) => faults.push(`${figure.name}: ${text}`);
-    await withoutScript(figure, address, fault);
+    if (!inFirefox) await withoutScript(figure, address, fault);
     for (const width of [1280, 390]) {
-        const context = await browser.newContext({ viewport: { width, height: 900 } });
+        const touchscreen = width === 390 && !inFirefox;
+        const context = await browser.newContext({ viewport: { width, height: 900 }, hasTouch: touchscreen });
         const page = await context.newPage();
         page.on("pageerror", (error) => fault(`script: ${error.message}`));
         page.on("request", (request) => request.url().startsWith(root) || request.url().startsWith("data:")
@@ -65,19 +69,33 @@ async function check(figure, address) {
             fault(`the still figure ${figure.stays ? "is gone" : "is there as well"}`);
         }
         await shoot(part, page, `${figure.name}-${width}`);
-        await dragged(figure, page, part, fault);
+        await dragged(figure, page, part, byMouse(page), fault);
+        if (touchscreen) {
+            const finger = await byFinger(page);
+            await dragged(figure, page, part, finger, fault);
+            await scrolled(page, part, finger, fault);
+        }
+        if (pictures) {
+            const [from, to] = await way(part.locator(grips[figure.inputs[0].kind]).first());
+            const hand = byMouse(page);
+            await hand.take(...from);
+            await hand.drag(from, to);
+            await hand.leave();
+            await shoot(part, page, `${figure.name}-${width}-dragged`);
+            await part.locator(".live-controls button").click();
+        }
         await keyed(page, part, fault);
         if (width === 1280) {
             for (const state of states.filter((state) => state.figure === figure.name)) {
                 await page.evaluate(set, { figure, values: state.values });
                 await drawn(page);
                 const told = await part.locator(".live-told").textContent();
+                stated += 1;
                 if (told !== state.told) fault(`${state.values} tells\n  ${told}\nnot\n  ${state.told}`);
             }
-            await shoot(part, page, `${figure.name}-${width}-moved`);
             await measure(figure, page, fault);
-            await page.emulateMedia({ media: "print" });
-            if (!await part.locator(":scope > img").isVisible()) fault("is missing in print");
+            if (!inFirefox) await page.emulateMedia({ media: "print" });
+            if (!inFirefox && !await part.locator(":scope > img").isVisible()) fault("is missing in print");
         }
         await context.close();
     }
@@ -93,26 +111,88 @@ async function withoutScript(figure, address, fault) {
     await context.close();
 }
 
-/// By mouse: the first handle, the picture that is turned, or the first slider; there and back.
-async function dragged(figure, page, part, fault) {
-    const [{ kind, from, low, high }] = figure.inputs;
-    const grip = { point: ".live-handle", turn: ".live-picture", slider: "input[type=range]" }[kind];
-    const before = await shown(part);
-    // Below a large still figure it may be out of sight.
-    await part.locator(grip).first().scrollIntoViewIfNeeded();
-    const { x, y, width, height } = await part.locator(grip).first().boundingBox();
+/// Drags one input of each kind, there and back.
+async function dragged(figure, page, part, hand, fault) {
+    for (const kind of new Set(figure.inputs.map(({ kind }) => kind))) {
+        if (!grips[kind]) continue;
+        const [from, to] = await way(part.locator(grips[kind]).first());
+        const scrolled = await page.evaluate(() => scrollY);
+        await hand.take(...from);
+        await drawn(page);
+        // A slider may have moved already: a browser's thumb is as wide as it likes.
+        const first = await shown(part);
+        await hand.drag(from, to);
+        await drawn(page);
+        if (await shown(part) === first) fault(`${kind}: does not change when it is dragged by ${hand.name}`);
+        await hand.drag(to, from);
+        await hand.leave();
+        await drawn(page);
+        if (await shown(part) !== first) fault(`${kind}: does not return when it is dragged back by ${hand.name}`);
+        if (await page.evaluate(() => scrollY) !== scrolled) fault(`${kind}: the page scrolls when it is dragged by ${hand.name}`);
+        await part.locator(".live-controls button").evaluate((button) => button.click());
+        await drawn(page);
+    }
+}
+
+/// From where to where in the window a grip is dragged.
+async function way(grip) {
+    // In the middle, where no menu covers it.
+    await grip.evaluate((grip) => grip.scrollIntoView({ block: "center", behavior: "instant" }));
+    const { x, y, width, height } = await grip.boundingBox();
     // A slider is taken where its thumb is, which is 16 px wide.
-    const share = kind === "slider" ? (from[0] - low) / (high - low) : 1 / 2;
+    const share = await grip.evaluate(({ value, min, max }) => max ? (value - min) / (max - min) : 1 / 2);
     const [left, top] = [x + 8 + share * (width - 16), y + height / 2];
-    await page.mouse.move(left, top);
-    await page.mouse.down();
-    await page.mouse.move(left + 70, top - 45, { steps: 5 });
-    await drawn(page);
-    if (await shown(part) === before) fault("does not change when it is dragged");
-    await page.mouse.move(left, top, { steps: 5 });
-    await page.mouse.up();
-    await drawn(page);
-    if (await shown(part) !== before) fault("does not return when it is dragged back");
+    const back = share > 1 / 2 || left + 80 > await grip.evaluate(() => innerWidth);
+    return [[left, top], [left + (back ? -70 : 70), top - 45]];
+}
+
+/// The mouse as a hand that drags.
+function byMouse({ mouse }) {
+    return {
+        name: "mouse",
+        take: async (x, y) => {
+            await mouse.move(x, y);
+            await mouse.down();
+        },
+        drag: (_, [x, y]) => mouse.move(x, y, { steps: 5 }),
+        leave: () => mouse.up(),
+    };
+}
+
+/// A finger, which Chromium takes for a true one: it scrolls the page where nothing else takes it.
+async function byFinger(page) {
+    const client = await page.context().newCDPSession(page);
+    const touch = (type, ...touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
+    return {
+        name: "finger",
+        take: (x, y) => touch("touchStart", { x, y }),
+        drag: async (from, to) => {
+            const steps = 10;
+            for (let n = 1; n <= steps; n++) {
+                const [x, y] = [0, 1].map((axis) => from[axis] + (to[axis] - from[axis]) * n / steps);
+                await touch("touchMove", { x, y });
+            }
+        },
+        leave: () => touch("touchEnd"),
+    };
+}
+
+/// A finger that goes up over words, or over a picture that is turned to the sides, scrolls the page, and changes nothing.
+async function scrolled(page, part, finger, fault) {
+    const first = await shown(part);
+    for (const selector of [".live-hint", ".live-turned"]) {
+        const place = part.locator(selector);
+        if (!await place.count()) continue;
+        const [from] = await way(place);
+        const before = await page.evaluate(() => scrollY);
+        await finger.take(...from);
+        await finger.drag(from, [from[0], from[1] - 150]);
+        await finger.leave();
+        await page.waitForFunction((before) => scrollY > before + 50, before, { timeout: 2000 })
+            .catch(() => fault(`${selector}: a finger does not scroll the page`));
+        await drawn(page);
+        if (await shown(part) !== first) fault(`${selector}: changes when a finger scrolls the page`);
+    }
 }
 
 /// By keys: each handle, slider and choice that can be reached, there and back.

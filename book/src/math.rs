@@ -5,6 +5,9 @@ use pulldown_latex::{Parser, ParserError, RenderConfig, Storage, push_mathml};
 
 use crate::markup::guarded;
 
+/// What stands between a function's name and a factor.
+const SPACE: &str = "<mspace width=\"0.1667em\" />";
+
 /// A formula as `MathML`, on a line of its own if `display`. It can stand anywhere in Markdown.
 ///
 /// # Errors
@@ -22,6 +25,10 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
     let html = html.replace("&amp;nbsp;", "&nbsp;");
     // The sign is written as it is, which no page may hold.
     let html = html.replace("<mo><</mo>", "<mo>&lt;</mo>");
+    // The space before a function's name comes out as a part of a power that has two, which no browser then sets above.
+    let html = ["msup", "msub", "msubsup"].into_iter().fold(html, |html, name| {
+        html.replace(&format!("<{name}>{SPACE}"), &format!("{SPACE}<{name}>"))
+    });
     // The letter, which is set in italics like all others; what comes out is the sign of micrometres.
     let html = html.replace("<mi>\u{b5}</mi>", "<mi>\u{3bc}</mi>");
     Ok(guarded(&html))
@@ -58,6 +65,14 @@ mod tests {
         let text: String =
             html.split('<').filter_map(|part| part.split_once('>')).map(|part| part.1).collect();
         assert!(!text.contains(['*', '_', '[', '|']), "{text}");
+    }
+
+    #[test]
+    fn a_power_has_two_parts() {
+        let html = mathml(r"2 \sin^2 \theta \log_2 x", true).unwrap();
+        for part in ["<msup><mi>sin</mi><mn>2</mn></msup>", "<msub><mi>log</mi><mn>2</mn></msub>"] {
+            assert!(html.contains(part), "{html}");
+        }
     }
 
     #[test]

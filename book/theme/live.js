@@ -154,6 +154,8 @@
             const down = Math.round(from.down + (clientY - from.y) * degrees);
             set(((right + 180) % 360 + 360) % 360 - 180, Math.min(Math.max(down, -90), 90));
         });
+        // A finger that scrolls the page instead has turned it a little.
+        picture.addEventListener("pointercancel", () => set(from.right, from.down));
         return (...shown) => sliders.forEach((part) => part(...shown));
     }
 

@@ -14,6 +14,26 @@ use triangles::{draw_model, flat_intensity};
 use crate::head::{HEAD, HINT, SIDE, TURN, Turned, canvas, eye, method, smooth, view, white};
 use crate::{Figure, Input, Values, View, number};
 
+/// Lesson 1's lines: the edges of the head.
+pub(crate) const LINES: Figure = Figure {
+    name: "lines-two",
+    stays: true,
+    hint: "Turn a head of lines by dragging it, or by the sliders. Choose by which method its lines are drawn.",
+    inputs: &[TURN, method(|| Method::rows(lines::METHODS), "bresenham")],
+    draw: |values| {
+        drawn(values, lines::METHODS, |method, head, image| {
+            let mut pixels = 0;
+            let edges = wireframe::edges(&head.model);
+            for edge in &edges {
+                let [from, to] = edge.map(|n| wireframe::to_pixel(head.model.positions()[n as usize], image));
+                (method.draw)(from, to, image, Color::WHITE);
+                (method.visit)(from, to, image.bounds(), &mut |_, _, _| pixels += 1);
+            }
+            format!("{} lines, for which pixels are coloured {pixels} times", edges.len())
+        })
+    },
+};
+
 /// Lesson 2's head.
 pub(crate) const WIREFRAME: Figure = Figure {
     name: "wireframe-head",

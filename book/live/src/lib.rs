@@ -40,6 +40,7 @@ pub use view::{Drawing, Rendered, View};
 
 /// All figures that move. The page's script calls one by its number here.
 pub const FIGURES: &[Figure] = &[
+    heads::LINES,
     lines::IDEAL,
     lines::WU,
     heads::WIREFRAME,
