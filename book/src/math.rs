@@ -26,9 +26,9 @@ pub(crate) fn mathml(latex: &str, display: bool) -> Result<String, String> {
     // The sign is written as it is, which no page may hold.
     let html = html.replace("<mo><</mo>", "<mo>&lt;</mo>");
     // The space before a function's name comes out as a part of a power that has two, which no browser then sets above.
-    let html = ["msup", "msub", "msubsup"].into_iter().fold(html, |html, name| {
-        html.replace(&format!("<{name}>{SPACE}"), &format!("{SPACE}<{name}>"))
-    });
+    let html = ["msup", "msub", "msubsup"]
+        .into_iter()
+        .fold(html, |html, name| html.replace(&format!("<{name}>{SPACE}"), &format!("{SPACE}<{name}>")));
     // The letter, which is set in italics like all others; what comes out is the sign of micrometres.
     let html = html.replace("<mi>\u{b5}</mi>", "<mi>\u{3bc}</mi>");
     Ok(guarded(&html))

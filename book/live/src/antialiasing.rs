@@ -1,12 +1,106 @@
 //! Lesson 15: the share of a pixel that a triangle covers.
 
-use antialiasing::area::{area, clipped};
-use antialiasing::coverage;
+use antialiasing::area::{Area, area, clipped};
+use antialiasing::multisampled::{Multisampled, PerSample};
+use antialiasing::ordered::Ordered;
 use antialiasing::pattern::{PATTERNS, PLACES, Place};
-use common::{IVec2, Vec2, Vec4Swizzles};
+use antialiasing::storage::{Compressed, Samples};
+use antialiasing::{Canvas, coverage, resolve};
+use blending::State;
+use blending::scene::{self, Entity, EntityShader};
+use blending::transparency::{Placed, gather};
+use clipping::Cull;
+use common::{Color, IVec2, Image, Mat4, Method, Vec2, Vec3, Vec4Swizzles};
+use lighting::PointLight;
+use shaders::shader::{Fragment, Shader};
 use sheet::{AMBER, BLACK, BLUE, FAINT, GREY, ORANGE, Sheet};
 
+use crate::head::{self, canvas, method};
+use crate::input::with;
+use crate::scenes::{SCENE, camera};
 use crate::{Drawing, Figure, Input, Values, View, number, whole};
+
+/// The head in few pixels.
+pub(crate) const HEAD: Figure = Figure {
+    name: "antialiasing-head",
+    stays: true,
+    hint: "Turn the head by dragging it, or by the sliders. Choose another method.",
+    inputs: &[Input::Turn { from: [-72.0, 4.0] }, method(|| Method::rows(CANVASES), "msaa-16")],
+    draw: antialiased,
+};
+
+/// Width and height of the head's picture.
+const SIDE: u16 = 120;
+
+/// The lesson's table with what draws a single opaque model. With all that the lesson draws, which is more, each canvas would have
+/// four loops over pixels.
+const CANVASES: &[Method<Draw>] = &with(
+    antialiasing::METHODS,
+    [
+        Draw::to::<Multisampled<1, Samples<1>>>(1),
+        Draw::to::<Multisampled<4, Samples<4>, PerSample>>(4),
+        Draw::to::<Multisampled<16, Samples<16>, PerSample>>(16),
+        Draw::to::<Ordered>(16),
+        Draw::to::<Multisampled<2, Compressed<2>>>(2),
+        Draw::to::<Multisampled<4, Compressed<4>>>(4),
+        Draw::to::<Multisampled<8, Compressed<8>>>(8),
+        Draw::to::<Multisampled<16, Compressed<16>>>(16),
+        Draw::to::<Area>(1),
+    ],
+);
+
+/// A way to draw a model.
+#[derive(Clone, Copy)]
+struct Draw {
+    picture: fn(&Entity, &scene::View, &mut Image),
+    samples: usize,
+}
+
+impl Draw {
+    const fn to<C: Canvas<Stencil = ()>>(samples: usize) -> Self {
+        Self {
+            picture: |entity, view, picture| {
+                let mut canvas = C::new([SIDE.into(); 2]);
+                let shader = entity.shader(view, canvas.size()).expect("it is not flat");
+                let mut triangles = Vec::new();
+                gather(&shader, entity.mesh(), Cull::Back, canvas.size(), &mut triangles);
+                for Placed { constant, corners, varyings, .. } in triangles {
+                    canvas.fill(State::OFF, corners, varyings, |fragment| shade(&shader, constant, fragment));
+                }
+                canvas.resolve(resolve, picture);
+            },
+            samples,
+        }
+    }
+}
+
+/// What the model looks like, on all canvases.
+#[inline(never)]
+fn shade<'a>(
+    shader: &EntityShader<'a>,
+    constant: <EntityShader<'a> as Shader>::Constant,
+    fragment: Fragment<<EntityShader<'a> as Shader>::Varying>,
+) -> Option<Color> {
+    shader.fragment(constant, fragment)
+}
+
+fn antialiased(mut values: Values) -> View {
+    let turn = [values.number(), values.number()];
+    let method = values.choice(CANVASES);
+    let mut image = canvas(SIDE);
+    let (entity, view) = seen(turn);
+    (method.run.picture)(&entity, &view, &mut image);
+    let rest = format!("samples of each pixel: {}", method.run.samples);
+    head::view(image, method.name, "the head", turn, &rest)
+}
+
+/// The head, and from where it is seen.
+fn seen(turn: [f32; 2]) -> (Entity<'static>, scene::View) {
+    let (to_clip, eye) = camera((Vec3::new(0.0, -0.03, 0.0), 3.46, 45.0), turn);
+    let light = PointLight { position: eye + Vec3::Y, ambient: 0.1, diffuse: 0.9, ..PointLight::default() };
+    let view = scene::View { to_clip, eye, light };
+    (Entity { model: &SCENE[0], to_world: Mat4::IDENTITY, alpha: 1.0 }, view)
+}
 
 /// The samples of a pixel under an edge.
 pub(crate) const EDGE: Figure = Figure {
@@ -80,4 +174,24 @@ fn edge(mut values: Values) -> View {
         counts[5],
     );
     View { drawing: Drawing::Sheet(sheet), told, table: Vec::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use antialiasing::{METHODS, Scene, World};
+
+    #[test]
+    fn the_head_is_as_the_lesson_draws_it() {
+        let (entity, view) = seen([-72.0, 4.0]);
+        let world = Some(World { entities: &[entity], view, cull: Cull::Back });
+        let scene = Scene { world, ..Scene::of(&[], Color::BLACK) };
+        for (own, lesson) in CANVASES.iter().zip(METHODS) {
+            let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
+            (own.run.picture)(&entity, &view, &mut drawn);
+            (lesson.run.picture)(&scene, &mut meant);
+            assert!(drawn == meant, "{}", own.name);
+            assert_eq!(own.run.samples, lesson.run.samples, "{}", own.name);
+        }
+    }
 }

@@ -38,7 +38,7 @@ fn footprints(mut values: Values) -> View {
     // A level eye one above the floor; texture coordinates are x and the depth.
     let eye = Vec3::Y;
     let look = view(eye, eye - Vec3::Z, Vec3::Y).expect("it looks somewhere");
-    let to_clip = perspective(45.0, SIZE.x / SIZE.y, 0.1, 100.0).expect("it is a camera") * look;
+    let to_clip = perspective(45.0, SIZE.x / SIZE.y, 0.1, 100.0).unwrap_or_default() * look;
     let clip = |uv: Vec2| to_clip * Vec3::new(uv.x, 0.0, -uv.y).extend(1.0);
     let shown = |uv: Vec2| window(clip(uv), SIZE).unwrap_or_default().xy();
     let corners = [Vec2::new(-90.0, 0.5), Vec2::new(90.0, 0.5), Vec2::new(0.0, 90.0)];

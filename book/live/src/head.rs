@@ -20,8 +20,7 @@ pub(crate) const HINT: &str = "Turn the head by dragging it, or by the sliders. 
 pub(crate) const TURN: Input = Input::Turn { from: [25.0, 0.0] };
 
 /// The head as it stands.
-pub(crate) static HEAD: LazyLock<Loaded> =
-    LazyLock::new(|| packed::loaded(packed::HEAD, packed::texture(), Wrap::Clamp));
+pub(crate) static HEAD: LazyLock<Loaded> = LazyLock::new(packed::head);
 
 /// A table of methods, to be chosen from.
 pub(crate) const fn method(rows: fn() -> Vec<Method<()>>, from: &'static str) -> Input {

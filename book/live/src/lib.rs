@@ -18,11 +18,14 @@
 mod antialiasing;
 mod camera;
 mod clipping;
+mod few;
 mod filtering;
+mod filters;
 mod gouraud;
 mod head;
 mod heads;
 mod input;
+mod kept;
 mod lines;
 mod packed;
 mod perspective;
@@ -39,7 +42,9 @@ pub use transforms::LETTER;
 pub use view::{Drawing, Rendered, View};
 
 /// All figures that move. The page's script calls one by its number here.
-pub const FIGURES: &[Figure] = &[
+///
+/// As a constant all that it calls would be compiled a second time in the crate that exports it.
+pub static FIGURES: &[Figure] = &[
     heads::LINES,
     lines::IDEAL,
     lines::WU,
@@ -73,7 +78,7 @@ pub const FIGURES: &[Figure] = &[
     scenes::FILTERING,
     filtering::FOOTPRINTS,
     scenes::BLENDING,
-    scenes::ANTIALIASING,
+    antialiasing::HEAD,
     antialiasing::EDGE,
 ];
 

@@ -1,11 +1,10 @@
 //! Lesson 1: lines.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use common::{Bounds, IVec2, Method, Vec2, Vec2Swizzles};
 use lines::METHODS;
 use sheet::{AMBER, BLACK, Ink, ORANGE, PALE, SKY, Sheet};
 
+use crate::few::Few;
 use crate::{Drawing, Figure, Input, Values, View, number};
 
 /// Columns and rows of the grid.
@@ -33,7 +32,7 @@ fn ideal(mut values: Values) -> View {
     let Drawn { method, a, b, plotted } = Drawn::of(&mut values);
     let sheet = drawn_on(&plotted, [a, b], |pixel| if pixel == a || pixel == b { AMBER } else { SKY });
     let steps = Steps::new(a, b);
-    let pixels: BTreeSet<(i32, i32)> = plotted.iter().map(|&(pixel, _)| pixel.into()).collect();
+    let pixels = different(&plotted);
     let farthest = plotted.iter().map(|&(pixel, _)| steps.fraction(pixel).abs()).fold(0.0, f32::max);
     let twice = plotted.len() - pixels.len();
     let told = format!(
@@ -72,6 +71,15 @@ impl Drawn {
     }
 }
 
+/// The pixels, each once: coloured again, a pixel is covered no more.
+fn different(plotted: &[(IVec2, u8)]) -> Vec<(IVec2, u8)> {
+    let mut pixels = Few::new();
+    for &(pixel, coverage) in plotted {
+        *pixels.of(pixel) = coverage;
+    }
+    pixels.all().to_vec()
+}
+
 /// Pixels in their colours, and the segment over them.
 fn drawn_on(plotted: &[(IVec2, u8)], ends: [IVec2; 2], fill: impl Fn(IVec2) -> Ink) -> Sheet {
     let mut sheet = Sheet::new((-0.5, -0.5), SIZE.as_vec2() + 0.5);
@@ -106,14 +114,12 @@ fn shared(mut values: Values) -> View {
     let Drawn { method, a, b, plotted } = Drawn::of(&mut values);
     let mut sheet = drawn_on(&plotted, [a, b], |_| SKY);
     let steps = Steps::new(a, b);
-    // Coloured again, a pixel is covered no more.
-    let pixels: BTreeMap<[i32; 2], u8> =
-        plotted.iter().map(|&(pixel, coverage)| (pixel.to_array(), coverage)).collect();
+    let pixels = different(&plotted);
     // Of each step: what is covered, and the sums of places and of heights above the line, as heavy as the coverage.
-    let mut sums: BTreeMap<i32, (f32, Vec2, f32)> = BTreeMap::new();
-    for (&pixel, &coverage) in &pixels {
-        let (pixel, share) = (IVec2::from_array(pixel), f32::from(coverage) / 255.0);
-        let (mass, places, heights) = sums.entry(steps.place(pixel).0).or_default();
+    let mut sums: Few<i32, (f32, Vec2, f32)> = Few::new();
+    for &(pixel, coverage) in &pixels {
+        let share = f32::from(coverage) / 255.0;
+        let (mass, places, heights) = sums.of(steps.place(pixel).0);
         *mass += share;
         *places += (pixel.as_vec2() + 0.5) * share;
         *heights -= steps.fraction(pixel) * share;
@@ -121,7 +127,7 @@ fn shared(mut values: Values) -> View {
     let [mut covered, mut height] = ["covered", "height"].map(|name| vec![String::from(name)]);
     let (mut drawn, mut farthest, mut least, mut most) = (0, 0.0_f32, f32::INFINITY, 0.0_f32);
     for step in 0..=steps.length {
-        let Some(&(mass, places, heights)) = sums.get(&step) else {
+        let Some(&(_, (mass, places, heights))) = sums.all().iter().find(|(of, _)| *of == step) else {
             for row in [&mut covered, &mut height] {
                 row.push("–".into());
             }
@@ -145,7 +151,7 @@ fn shared(mut values: Values) -> View {
             number(least),
             number(most),
             number(farthest),
-            number(pixels.values().map(|&coverage| f32::from(coverage)).sum::<f32>() / 255.0),
+            number(pixels.iter().map(|&(_, coverage)| f32::from(coverage)).sum::<f32>() / 255.0),
             number((b - a).as_vec2().length()),
         )
     };
@@ -200,13 +206,14 @@ impl Steps {
 
     /// Row k, fraction f and error e at each step; of several pixels in a column, rows for each.
     fn table(&self, plotted: &[(IVec2, u8)]) -> Vec<Vec<String>> {
+        let rows = plotted.iter().map(|&(pixel, _)| self.place(pixel).1);
+        let rows = rows.clone().min().unwrap_or(0)..=rows.max().unwrap_or(0);
         let columns: Vec<Vec<IVec2>> = (0..=self.length)
             .map(|step| {
-                let mut own: Vec<IVec2> = plotted.iter().map(|&(pixel, _)| pixel).collect();
-                own.retain(|&pixel| self.place(pixel).0 == step);
-                own.sort_by_key(|&pixel| self.place(pixel).1);
-                own.dedup();
-                own
+                let own = |row: i32| {
+                    plotted.iter().map(|&(pixel, _)| pixel).find(|&pixel| self.place(pixel) == (step, row))
+                };
+                rows.clone().filter_map(own).collect()
             })
             .collect();
         let minus = |n: i32| n.to_string().replace('-', "−");

@@ -1,18 +1,17 @@
-//! Models and a texture of the course, packed: a page need not load a reader of their files, nor their digits.
+//! The course's head and its floors: a page need not load a reader of their files, nor their digits.
 //!
-//! A test compares them with those files; `cargo test -p live -- --ignored pack` writes them.
+//! A test compares them with those files; `cargo test -p live -- --ignored pack` writes what is packed.
 
-use common::{Color, Format, Image, Model, Vec3};
+use assets::floor::{checks, slabs};
+use assets::mesh::{Corner, Mesh};
+use common::direction::unit;
+use common::{Color, DVec2, DVec3, Format, Image, Model, Vec3};
+use filtering::scene::fine;
 use perspective::scene::Loaded;
 use textures::Wrap;
 
 /// The head in the fewest triangles that there is.
-pub(crate) const HEAD: &[u8] = include_bytes!("../packed/head.bin");
-/// Lesson 10's floor.
-pub(crate) const FLOOR: &[u8] = include_bytes!("../packed/floor.bin");
-/// Lesson 11's floor, in few large triangles.
-pub(crate) const SLABS: &[u8] = include_bytes!("../packed/slabs.bin");
-
+const HEAD: &[u8] = include_bytes!("../packed/head.bin");
 /// The head's texture.
 const TEXTURE: &[u8] = include_bytes!("../packed/texture.bin");
 /// Its side in texels.
@@ -20,53 +19,86 @@ const SIDE: u16 = 192;
 /// The side of the blocks that it is packed in.
 const BLOCK: u16 = 4;
 
-/// What is left to be read of a model: lists of numbers, each after how many they are.
-struct Lists<'a>(&'a [u8]);
+/// The head with its texture.
+pub(crate) fn head() -> Loaded {
+    loaded(&unpacked(), texture(), Wrap::Clamp)
+}
 
-impl Lists<'_> {
+/// Lesson 10's floor.
+pub(crate) fn floor() -> Loaded {
+    loaded(&assets::floor::floor(), checks(), Wrap::Repeat)
+}
+
+/// Lesson 11's floor, in few large triangles, its texture as lesson 13 has it.
+pub(crate) fn few_slabs() -> Loaded {
+    loaded(&slabs(), fine(&checks()), Wrap::Repeat)
+}
+
+/// A mesh with its texture.
+fn loaded(mesh: &Mesh, texture: Image, wrap: Wrap) -> Loaded {
+    let triangles = |number: fn(&Corner) -> usize| {
+        mesh.triangles.iter().map(|corners| corners.each_ref().map(|corner| number(corner) as u32)).collect()
+    };
+    let positions = mesh.positions.iter().map(|position| position.as_vec3()).collect();
+    let uvs = mesh.uvs.iter().map(|uv| uv.as_vec2()).collect();
+    let model = Model::from_triangles(positions, triangles(|corner| corner.position))
+        .and_then(|model| model.with_uvs(uvs, triangles(|corner| corner.uv)));
+    let normal = |corner: Corner| unit(mesh.normals[corner.normal].as_vec3()).unwrap_or_default();
+    Loaded {
+        model: model.expect("it is one of ours"),
+        normals: mesh.triangles.iter().map(|corners| corners.map(normal)).collect(),
+        texture,
+        wrap,
+    }
+}
+
+/// The head's mesh: its lists, each after how many are in it.
+fn unpacked() -> Mesh {
+    let mut rest = Rest(HEAD);
+    let positions = rest.list(|rest| DVec3::from_array(rest.numbers()));
+    let uvs = rest.list(|rest| DVec2::from_array(rest.numbers()));
+    let normals = rest.list(|rest| DVec3::from_array(rest.numbers()));
+    let mut next = [0; 3];
+    let mut corner = |rest: &mut Rest| {
+        // What is named here first comes next in its list; else it is told how far back in the list it is.
+        let [position, uv, normal] = std::array::from_fn(|n| {
+            let [back] = rest.bytes();
+            next[n] += usize::from(back == 0);
+            next[n] - usize::from(back).max(1)
+        });
+        Corner { position, uv, normal }
+    };
+    let triangles = rest.list(|rest| [corner(rest), corner(rest), corner(rest)]);
+    Mesh { positions, uvs, normals, triangles }
+}
+
+/// What is left to be read of the head.
+struct Rest<'a>(&'a [u8]);
+
+impl Rest<'_> {
     fn bytes<const N: usize>(&mut self) -> [u8; N] {
         let (bytes, rest) = self.0.split_first_chunk().expect("it is one of ours");
         self.0 = rest;
         *bytes
     }
 
-    fn list<const N: usize>(&mut self) -> Vec<[u8; N]> {
+    /// Numbers with five decimals, as the course's files have them, in three bytes each.
+    fn numbers<const N: usize>(&mut self) -> [f64; N] {
+        std::array::from_fn(|_| {
+            let [a, b, c] = self.bytes();
+            f64::from(i32::from_le_bytes([0, a, b, c]) >> 8) / 1e5
+        })
+    }
+
+    fn list<T>(&mut self, mut item: impl FnMut(&mut Self) -> T) -> Vec<T> {
         let count = u16::from_le_bytes(self.bytes());
-        (0..count).map(|_| self.bytes()).collect()
-    }
-
-    fn vectors(&mut self) -> Vec<Vec3> {
-        let numbers: Vec<f32> = self.list().into_iter().map(f32::from_le_bytes).collect();
-        numbers.chunks_exact(3).map(Vec3::from_slice).collect()
-    }
-
-    fn triangles(&mut self) -> Vec<[u32; 3]> {
-        let numbers: Vec<u32> =
-            self.list().into_iter().map(|bytes| u16::from_le_bytes(bytes).into()).collect();
-        numbers.as_chunks().0.to_vec()
-    }
-}
-
-/// A model with its normals, and the texture that it is to have.
-pub(crate) fn loaded(packed: &[u8], texture: Image, wrap: Wrap) -> Loaded {
-    let mut lists = Lists(packed);
-    let (positions, triangles) = (lists.vectors(), lists.triangles());
-    let (uvs, uv_triangles) = (lists.vectors(), lists.triangles());
-    let (normals, normal_triangles) = (lists.vectors(), lists.triangles());
-    let uvs = uvs.into_iter().map(Vec3::truncate).collect();
-    let model =
-        Model::from_triangles(positions, triangles).and_then(|model| model.with_uvs(uvs, uv_triangles));
-    Loaded {
-        model: model.expect("it is one of ours"),
-        normals: normal_triangles.into_iter().map(|triangle| triangle.map(|i| normals[i as usize])).collect(),
-        texture,
-        wrap,
+        (0..count).map(|_| item(self)).collect()
     }
 }
 
 /// The head's texture, made smaller. It is packed as graphics hardware has it (BC1): each block of 4×4 texels has two colours
 /// of 16 bits, and of each texel two bits say which of the four it has that divide the way between them into three.
-pub(crate) fn texture() -> Image {
+fn texture() -> Image {
     let mut image = Image::new(SIDE, SIDE, Format::Rgb);
     for (block, (x, y)) in TEXTURE.as_chunks::<8>().0.iter().zip(places()) {
         let &[a, b, c, d, ref bits @ ..] = block;
@@ -101,7 +133,7 @@ fn between(ends: [u16; 2]) -> [Color; 4] {
 mod tests {
     use std::path::{Path, PathBuf};
 
-    use common::{Attributes, Vec2};
+    use common::Attributes;
 
     use super::*;
 
@@ -109,26 +141,14 @@ mod tests {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets").join(name)
     }
 
-    fn original(name: &str) -> Loaded {
-        let model = Model::read(&course(name), Attributes { normals: true, uvs: true }).unwrap();
-        Loaded::new(model, Image::new(1, 1, Format::Rgb), Wrap::Clamp)
-    }
-
-    const MODELS: [(&str, &str, &[u8]); 3] = [
-        ("head-low.obj", "head.bin", HEAD),
-        ("floor.obj", "floor.bin", FLOOR),
-        ("slabs.obj", "slabs.bin", SLABS),
-    ];
-
     #[test]
     fn models_are_the_courses() {
-        for (name, _, packed) in MODELS {
-            let (original, unpacked) =
-                (original(name), loaded(packed, Image::new(1, 1, Format::Rgb), Wrap::Clamp));
-            assert_eq!(unpacked.model.positions(), original.model.positions(), "{name}");
-            assert_eq!(unpacked.model.triangles(), original.model.triangles(), "{name}");
-            assert!(unpacked.model.face_uvs().eq(original.model.face_uvs()), "{name}");
-            assert_eq!(unpacked.normals, original.normals, "{name}");
+        for (name, own) in [("head-low.obj", head()), ("floor.obj", floor()), ("slabs.obj", few_slabs())] {
+            let model = Model::read(&course(name), Attributes { normals: true, uvs: true }).unwrap();
+            let Loaded { model, normals, .. } = Loaded::new(model, checks(), Wrap::Clamp);
+            assert!(own.model.faces().eq(model.faces()), "{name}");
+            assert!(own.model.face_uvs().eq(model.face_uvs()), "{name}");
+            assert_eq!(own.normals, normals, "{name}");
         }
     }
 
@@ -145,36 +165,36 @@ mod tests {
     #[ignore = "writes what is packed"]
     fn pack() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("packed");
-        for (name, packed, _) in MODELS {
-            let Loaded { model, normals, .. } = original(name);
-            let mut bytes = Vec::new();
-            let positions = model.positions();
-            write(&mut bytes, positions, model.triangles().iter().flatten().map(|&i| i as usize).collect());
-            let uvs: Vec<Vec3> = model.face_uvs().flatten().map(|uv: Vec2| uv.extend(0.0)).collect();
-            for corners in [uvs, normals.into_iter().flatten().collect()] {
-                let mut different: Vec<Vec3> = Vec::new();
-                let mut number = |corner: Vec3| {
-                    let known = different.iter().position(|&other| other == corner);
-                    known.unwrap_or_else(|| {
-                        different.push(corner);
-                        different.len() - 1
-                    })
-                };
-                let numbers = corners.into_iter().map(&mut number).collect();
-                write(&mut bytes, &different, numbers);
-            }
-            std::fs::write(folder.join(packed), bytes).unwrap();
-        }
+        std::fs::write(folder.join("head.bin"), packed(&assets::head::low_model())).unwrap();
         let image = Image::read(&course("head.tga")).unwrap().scale(SIDE, SIDE);
         let blocks: Vec<u8> = places().flat_map(|place| block(&image, place)).collect();
         std::fs::write(folder.join("texture.bin"), blocks).unwrap();
     }
 
-    fn write(bytes: &mut Vec<u8>, vectors: &[Vec3], numbers: Vec<usize>) {
-        bytes.extend(u16::try_from(3 * vectors.len()).unwrap().to_le_bytes());
-        bytes.extend(vectors.iter().flat_map(Vec3::to_array).flat_map(f32::to_le_bytes));
-        bytes.extend(u16::try_from(numbers.len()).unwrap().to_le_bytes());
-        bytes.extend(numbers.into_iter().flat_map(|number| u16::try_from(number).unwrap().to_le_bytes()));
+    fn packed(mesh: &Mesh) -> Vec<u8> {
+        let count = |list: usize| u16::try_from(list).unwrap().to_le_bytes();
+        let numbers = |numbers: &[f64]| {
+            // Rounded as in the file.
+            let digits = |number: &f64| format!("{number:.5}").replace('.', "").parse::<i32>().unwrap();
+            let bytes = |number: &f64| digits(number).to_le_bytes().into_iter().take(3);
+            numbers.iter().flat_map(bytes).collect::<Vec<u8>>()
+        };
+        let mut all = Vec::new();
+        all.extend(count(mesh.positions.len()));
+        mesh.positions.iter().for_each(|position| all.extend(numbers(&position.to_array())));
+        all.extend(count(mesh.uvs.len()));
+        mesh.uvs.iter().for_each(|uv| all.extend(numbers(&uv.to_array())));
+        all.extend(count(mesh.normals.len()));
+        mesh.normals.iter().for_each(|normal| all.extend(numbers(&normal.to_array())));
+        all.extend(count(mesh.triangles.len()));
+        let mut next = [0; 3];
+        for corner in mesh.triangles.iter().flatten() {
+            for (next, number) in next.iter_mut().zip([corner.position, corner.uv, corner.normal]) {
+                all.push(u8::try_from(*next - number).unwrap());
+                *next = (number + 1).max(*next);
+            }
+        }
+        all
     }
 
     fn distance(a: Color, b: Color) -> f32 {

@@ -29,7 +29,7 @@ fn floor(mut values: Values) -> View {
     let method = values.choice(METHODS);
     let per_pixel = Method::find(METHODS, "per-pixel").expect("it is one of the lesson's");
     // The floor is 1 below the eye, from the depth 1 to r, and 2 wide.
-    let to_clip = frustum(-0.102, 0.102, -0.102, -0.004, 0.1, 100.0).expect("the sides differ");
+    let to_clip = frustum(-0.102, 0.102, -0.102, -0.004, 0.1, 100.0).unwrap_or_default();
     let size = Vec2::from_array(SIZE.map(f32::from));
     let corners = [(-1.0, 1.0), (1.0, 1.0), (1.0, r), (-1.0, r)];
     let corners = corners.map(|(x, depth)| {

@@ -2,22 +2,25 @@
 
 use std::sync::LazyLock;
 
-use antialiasing::World;
 use blending::scene::{Entity, draw_by};
 use blending::{Over, TRANSPARENCY, TwoShift};
-use clipping::mesh::indexed;
-use clipping::{Counts, Cull, Mesh};
-use common::{Attributes, Color, Image, Mat4, Method, Vec3};
+use clipping::{Counts, Cull};
+use common::{Image, Mat4, Method, Vec3};
 use filtering::MIPMAPS;
-use filtering::scene::{Filterable, fine};
-use gouraud::Wrap;
+use filtering::scene::Filterable;
 use lighting::{PointLight, Scene};
+use perspective::interpolation::{Affine, Every, Interpolation, PerPixel};
+use perspective::lighting::Clamped;
 use perspective::scene::Loaded;
-use perspective::{DEPTHS, Planes, perspective, view};
-use shaders::Uniforms;
+use perspective::{Framebuffer, Planes, perspective, render, view};
+use shaders::source::Texture;
+use shaders::{Lit, Uniforms};
 use transforms::affine::euler;
 
+use crate::filters::FILTERS;
 use crate::head::{self, HEAD, canvas, eye, method};
+use crate::input::with;
+use crate::kept::{self, Kept};
 use crate::{Figure, Input, Values, View, packed};
 
 /// Where a camera is: what it looks at, from how far, and its field of view.
@@ -29,29 +32,15 @@ const SIDE: u16 = 320;
 const PLANES: Planes = Planes { near: 0.1, far: 100.0 };
 
 /// From the world to clip space, for a square picture, and the eye.
-fn camera((center, distance, fov): Camera, turn: [f32; 2]) -> (Mat4, Vec3) {
+pub(crate) fn camera((center, distance, fov): Camera, turn: [f32; 2]) -> (Mat4, Vec3) {
     let eye = eye(center, distance, turn);
     // Straight from above, another up stands in for y.
     let view = view(eye, center, Vec3::Y).unwrap_or_default();
     (perspective(fov, 1.0, PLANES.near, PLANES.far).unwrap_or_default() * view, eye)
 }
 
-/// The floor's texture.
-fn checks() -> Image {
-    let [light, dark] = [Color::rgb(0xf2, 0xec, 0xde), Color::rgb(0x2f, 0x5d, 0x7c)];
-    let mut image = canvas(2);
-    for (x, y) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-        image.set(x, y, if x == y { dark } else { light });
-    }
-    image
-}
-
-/// A model's mesh, for all looks.
-fn mesh(loaded: &Loaded) -> Mesh {
-    indexed(&loaded.model, &loaded.normals, Attributes { normals: true, uvs: true })
-}
-
-static FLOOR: LazyLock<Loaded> = LazyLock::new(|| packed::loaded(packed::FLOOR, checks(), Wrap::Repeat));
+/// Lesson 10's floor.
+static FLOOR: LazyLock<Loaded> = LazyLock::new(packed::floor);
 
 /// Lesson 10's head.
 pub(crate) const PERSPECTIVE: Figure = Figure {
@@ -60,37 +49,52 @@ pub(crate) const PERSPECTIVE: Figure = Figure {
     hint: "Take the eye around by dragging, or by the sliders. Choose how to interpolate, and what is kept as depth.",
     inputs: &[
         Input::Turn { from: [-18.0, 3.0] },
-        Input::Choice {
-            label: "Interpolation",
-            rows: || Method::rows(perspective::METHODS),
-            from: "per-pixel",
-        },
-        Input::Choice { label: "Depths", rows: || Method::rows(DEPTHS), from: "z-f32" },
+        Input::Choice { label: "Interpolation", rows: || Method::rows(INTERPOLATIONS), from: "per-pixel" },
+        Input::Choice { label: "Depths", rows: || Method::rows(kept::DEPTHS), from: "z-f32" },
     ],
     draw: in_perspective,
 };
 
 fn in_perspective(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
-    let way = values.choice(perspective::METHODS);
-    let keep = values.choice(DEPTHS);
+    let way = values.choice(INTERPOLATIONS);
+    let keep = values.choice(kept::DEPTHS);
     let (to_clip, _) = camera((Vec3::new(0.0, -0.1, 0.0), 3.6, 45.0), turn);
     let light = Vec3::new(0.5, 0.8, 0.9).normalize();
     let uniforms: [Uniforms; 2] = [&*HEAD, &*FLOOR].map(|loaded| loaded.uniforms(light, to_clip));
     let mut image = canvas(SIDE);
-    let drawn = (way.run.draw)(&keep.run)(&uniforms, PLANES, &mut image);
-    let rest = format!("triangles left out since they reach behind the eye: {}", drawn.left_out);
+    let left_out = (way.run)(&uniforms, (keep.run)(PLANES), &mut image);
+    let rest = format!("triangles left out since they reach behind the eye: {left_out}");
     head::view(image, &format!("{}, {}", way.name, keep.name), "head and floor", turn, &rest)
 }
 
-/// The head and lesson 11's floor, with their meshes.
-static SLABS: LazyLock<[(Loaded, Mesh); 2]> = LazyLock::new(|| {
-    let head = packed::loaded(packed::HEAD, packed::texture(), Wrap::Clamp);
-    let slabs = packed::loaded(packed::SLABS, checks(), Wrap::Repeat);
-    [head, slabs].map(|loaded| {
-        let mesh = mesh(&loaded);
-        (loaded, mesh)
-    })
+/// Draws models as lesson 10 does, and returns how many triangles are left out.
+type Interpolated = fn(&[Uniforms], Kept, &mut Image) -> usize;
+
+/// Lesson 10's ways to interpolate, each with one loop for all depths.
+const INTERPOLATIONS: &[Method<Interpolated>] = &with(
+    perspective::METHODS,
+    [interpolated::<Affine>, interpolated::<Every<16>>, interpolated::<Every<8>>, interpolated::<PerPixel>],
+);
+
+fn interpolated<I: Interpolation>(models: &[Uniforms], depth: Kept, image: &mut Image) -> usize {
+    let mut target = Framebuffer::new(image, depth);
+    let mut left_out = 0;
+    for uniforms in models {
+        let (vertices, triangles) = (uniforms.model.positions().len(), uniforms.model.triangles());
+        let shader = Lit::new(*uniforms, Texture, Clamped);
+        left_out += render(&shader, vertices, triangles, I::default(), depth, &mut target);
+    }
+    left_out
+}
+
+/// The head and lesson 11's floor, with their meshes and the levels of their textures.
+pub(crate) static SCENE: LazyLock<[Filterable; 2]> = LazyLock::new(|| {
+    let mipmap = const { MIPMAPS[1].run };
+    [
+        Filterable::new(packed::head(), mipmap, filtering::Wrap::Clamp),
+        Filterable::new(packed::few_slabs(), mipmap, filtering::Wrap::Repeat),
+    ]
 });
 
 /// Lesson 11's head.
@@ -108,7 +112,7 @@ fn clipped(mut values: Values) -> View {
     let method = values.choice(clipping::METHODS);
     let (to_clip, _) = camera((Vec3::new(0.0, -0.2, 0.0), 3.07, 45.0), turn);
     let light = Vec3::new(0.4, 0.8, 0.8).normalize();
-    let models = SLABS.each_ref().map(|(loaded, mesh)| (loaded.uniforms(light, to_clip), mesh));
+    let models = SCENE.each_ref().map(|model| (model.surface(light, to_clip).uniforms, model.mesh()));
     let mut image = canvas(SIDE);
     let Counts { left_out, cut, filled, .. } =
         clipping::draw(&models, Cull::Back, method.run, &mut image).counts;
@@ -130,41 +134,29 @@ fn lit(mut values: Values) -> View {
     let method = values.choice(lighting::METHODS);
     let (camera, eye) = camera((Vec3::new(0.0, 0.12, 0.0), 2.4, 45.0), [-13.0, 5.0]);
     let to_world = Mat4::from_mat3(euler(Vec3::new(turn[1], turn[0], 0.0)));
-    let [(head, mesh), _] = &*SLABS;
-    let scene = Scene::placed(head, to_world, camera, eye, PointLight::default()).expect("it is not flat");
+    let scene = Scene::placed(&HEAD, to_world, camera, eye, PointLight::default()).expect("it is not flat");
     let mut image = canvas(SIDE);
-    let counts = (method.run)(&scene, mesh, Cull::Back, &mut image).counts;
+    let counts = (method.run)(&scene, SCENE[0].mesh(), Cull::Back, &mut image).counts;
     head::view(image, method.name, "the head", turn, &format!("triangles filled: {}", counts.filled))
 }
-
-/// Both with the levels of their textures.
-static LEVELS: LazyLock<[Filterable; 2]> = LazyLock::new(|| {
-    let mipmap = MIPMAPS[1].run;
-    let head = packed::loaded(packed::HEAD, packed::texture(), Wrap::Clamp);
-    let slabs = packed::loaded(packed::SLABS, fine(&checks()), Wrap::Clamp);
-    [
-        Filterable::new(head, mipmap, filtering::Wrap::Clamp),
-        Filterable::new(slabs, mipmap, filtering::Wrap::Repeat),
-    ]
-});
 
 /// Lesson 13's head.
 pub(crate) const FILTERING: Figure = Figure {
     name: "filtering-head",
     stays: true,
     hint: "Take the eye around by dragging, or by the sliders. Choose another method.",
-    inputs: &[Input::Turn { from: [-31.0, 8.0] }, method(|| Method::rows(filtering::METHODS), "trilinear")],
+    inputs: &[Input::Turn { from: [-31.0, 8.0] }, method(|| Method::rows(FILTERS), "trilinear")],
     draw: filtered,
 };
 
 fn filtered(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
-    let method = values.choice(filtering::METHODS);
+    let method = values.choice(FILTERS);
     let (to_clip, _) = camera((Vec3::new(0.3, -0.35, 0.0), 3.75, 45.0), turn);
     let light = Vec3::new(0.4, 0.8, 0.8).normalize();
-    let surfaces = LEVELS.each_ref().map(|model| model.surface(light, to_clip));
+    let surfaces = SCENE.each_ref().map(|model| model.surface(light, to_clip));
     let mut image = canvas(SIDE);
-    let counts = (method.run.draw)(&surfaces, Cull::Back, &mut image).counts;
+    let counts = filtering::draw(&surfaces, method.run, Cull::Back, &mut image).counts;
     let rest = format!("triangles filled: {}", counts.filled);
     head::view(image, method.name, "head and floor", turn, &rest)
 }
@@ -189,7 +181,7 @@ fn blended(mut values: Values) -> View {
     let method = values.choice(TRANSPARENCY);
     let (to_clip, eye) = camera((Vec3::new(0.0, -0.1, 0.0), 3.6, 45.0), turn);
     let view = blending::scene::View { to_clip, eye, light: PointLight::default() };
-    let [head, slabs] = &*LEVELS;
+    let [head, slabs] = &*SCENE;
     let entity = |model, alpha| Entity { model, to_world: Mat4::IDENTITY, alpha };
     let entities = [entity(slabs, 1.0), entity(head, alpha)];
     let mut image = canvas(200);
@@ -199,28 +191,28 @@ fn blended(mut values: Values) -> View {
     head::view(image, method.name, "head and floor", turn, &rest)
 }
 
-/// Lesson 15's head, in few pixels.
-pub(crate) const ANTIALIASING: Figure = Figure {
-    name: "antialiasing-head",
-    stays: true,
-    hint: "Turn the head by dragging it, or by the sliders. Choose another method.",
-    inputs: &[Input::Turn { from: [-72.0, 4.0] }, method(|| Method::rows(antialiasing::METHODS), "msaa-16")],
-    draw: antialiased,
-};
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn antialiased(mut values: Values) -> View {
-    let turn = [values.number(), values.number()];
-    let method = values.choice(antialiasing::METHODS);
-    let (to_clip, eye) = camera((Vec3::new(0.0, -0.03, 0.0), 3.46, 45.0), turn);
-    let light = PointLight { position: eye + Vec3::Y, ambient: 0.1, diffuse: 0.9, ..PointLight::default() };
-    let view = blending::scene::View { to_clip, eye, light };
-    let entities = [Entity { model: &LEVELS[0], to_world: Mat4::IDENTITY, alpha: 1.0 }];
-    let world = Some(World { entities: &entities, view, cull: Cull::Back });
-    let mut image = canvas(120);
-    (method.run.picture)(
-        &antialiasing::Scene { world, ..antialiasing::Scene::of(&[], Color::BLACK) },
-        &mut image,
-    );
-    let rest = format!("samples of each pixel: {}", method.run.samples);
-    head::view(image, method.name, "the head", turn, &rest)
+    #[test]
+    fn scenes_are_as_the_lessons_draw_them() {
+        let (to_clip, _) = camera((Vec3::ZERO, 3.6, 45.0), [-18.0, 3.0]);
+        let uniforms = [&*HEAD, &*FLOOR].map(|loaded| loaded.uniforms(Vec3::Z, to_clip));
+        for (own, way) in INTERPOLATIONS.iter().zip(perspective::METHODS) {
+            for (kept, keep) in kept::DEPTHS.iter().zip(perspective::DEPTHS) {
+                let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
+                (own.run)(&uniforms, (kept.run)(PLANES), &mut drawn);
+                (way.run.draw)(&keep.run)(&uniforms, PLANES, &mut meant);
+                assert!(drawn == meant, "{}, {}", own.name, kept.name);
+            }
+        }
+        let surfaces = SCENE.each_ref().map(|model| model.surface(Vec3::Z, to_clip));
+        for (own, lesson) in FILTERS.iter().zip(filtering::METHODS) {
+            let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
+            filtering::draw(&surfaces, own.run, Cull::Back, &mut drawn);
+            (lesson.run.draw)(&surfaces, Cull::Back, &mut meant);
+            assert!(drawn == meant, "{}", own.name);
+        }
+    }
 }

@@ -1,12 +1,11 @@
 //! Lesson 3: triangles.
 
-use std::collections::BTreeMap;
-
-use common::{Bounds, DVec3, IVec2, Method, Vec2};
+use common::{Bounds, DVec3, IVec2, Method, Vec2, Vec3};
 use sheet::{AMBER, BLACK, BLUE, GREEN, GREY, Ink, MINT, ORANGE, PURPLE, ROSE, SKY, Sheet};
 use triangles::barycentric::weights;
 use triangles::edges::Setup;
 
+use crate::few::Few;
 use crate::{Drawing, Figure, Input, Values, View, number};
 
 /// A point and the three areas that it makes with the sides.
@@ -214,11 +213,11 @@ fn sign(mut values: Values) -> View {
     let edge = |n: usize, at: Vec2| area([corners[n], corners[(n + 1) % 3], at]);
     let signs = |at: Vec2| [0, 1, 2].map(|n| if edge(n, at) > 0.0 { "+" } else { "−" });
     let mut sheet = Sheet::new(LOW, LOW + Vec2::new(MAP[0] as f32, MAP[1] as f32) * STEP);
-    let mut regions: BTreeMap<[&str; 3], Vec<Vec2>> = BTreeMap::new();
+    let mut regions: Few<[&str; 3], Vec<Vec2>> = Few::new();
     for (x, y) in (0..MAP[1]).flat_map(|y| (0..MAP[0]).map(move |x| (x, y))) {
         let low = LOW + Vec2::new(x as f32, y as f32) * STEP;
         let signs = signs(low + STEP / 2.0);
-        regions.entry(signs).or_default().push(low + STEP / 2.0);
+        regions.of(signs).push(low + STEP / 2.0);
         // As many minuses, as far from the inside.
         let fill = match signs.into_iter().filter(|&sign| sign == "−").count() {
             0 => Some(SKY),
@@ -231,7 +230,7 @@ fn sign(mut values: Values) -> View {
         }
     }
     // P tells those of its own region.
-    for (region, places) in regions.into_iter().filter(|(region, _)| *region != signs(p)) {
+    for (region, places) in regions.all().iter().filter(|(region, _)| *region != signs(p)) {
         let middle = places.iter().sum::<Vec2>() / places.len() as f32;
         sheet.text(middle, &region.join(" "), GREY);
     }
@@ -293,34 +292,35 @@ fn sweep(mut values: Values) -> View {
     let rows = values.number() as i32;
     // The sweep's corners are whole pixels, which it rounds to.
     let corners = centers.map(Vec2::floor);
-    let mut visits: BTreeMap<(i32, i32), u32> = BTreeMap::new();
-    let mut ends: BTreeMap<i32, [i32; 2]> = BTreeMap::new();
+    let mut visits: Few<(i32, i32), u32> = Few::new();
+    let mut ends: Few<i32, Option<[i32; 2]>> = Few::new();
     triangles::slides::sweep(corners, Bounds { min: IVec2::ZERO, max: SWEPT - 1 }, |x, y, _| {
         if y < rows {
-            *visits.entry((x, y)).or_default() += 1;
-            let [left, right] = ends.entry(y).or_insert([x; 2]);
+            *visits.of((x, y)) += 1;
+            let [left, right] = ends.of(y).get_or_insert([x; 2]);
             (*left, *right) = (x.min(*left), x.max(*right));
         }
     });
-    let mut heights = corners.map(|corner| corner.y as i32);
-    heights.sort_unstable();
+    let heights = Vec3::from_array(corners.map(|corner| corner.y));
+    let middle = heights.element_sum() - heights.min_element() - heights.max_element();
     let mut sheet = Sheet::new(Vec2::ZERO, SWEPT.as_vec2());
     sheet.grid((0, 0), SWEPT.into());
-    for (&(x, y), &times) in &visits {
-        let half = if y < heights[1] { SKY } else { AMBER };
+    for &((x, y), times) in visits.all() {
+        let half = if (y as f32) < middle { SKY } else { AMBER };
         sheet.pixel(x, y, if times > 1 { ROSE } else { half });
     }
     sheet.polygon(&centers, "none", BLACK);
-    let height = heights[1] as f32 + 0.5;
+    let height = middle + 0.5;
     sheet.dashed((0.2, height), (SWEPT.x as f32 - 0.2, height), PURPLE, 2.0);
-    let twice = visits.values().filter(|&&times| times > 1).count();
-    let row = ends.last_key_value().map_or("no row yet".into(), |(y, [left, right])| {
-        format!("the last one, row {y}, goes from x = {left} to {right}")
-    });
+    let twice = visits.all().iter().filter(|(_, times)| *times > 1).count();
+    let row = match ends.all().iter().max() {
+        Some((y, Some([left, right]))) => format!("the last one, row {y}, goes from x = {left} to {right}"),
+        _ => "no row yet".into(),
+    };
     let told = format!(
         "{} rows are filled, {row}; {} pixels, {twice} of them twice, since the row of the middle corner belongs to both halves.",
-        ends.len(),
-        visits.len(),
+        ends.all().len(),
+        visits.all().len(),
     );
     View { drawing: Drawing::Sheet(sheet), told, table: Vec::new() }
 }

@@ -17,7 +17,7 @@ pub struct View {
 pub enum Drawing {
     /// Lines and letters.
     Sheet(Sheet),
-    /// Pixels.
+    /// Pixels, in [`Format::Rgb`].
     Pixels(Image),
 }
 
@@ -54,10 +54,19 @@ impl Rendered {
 }
 
 /// Pixels as a canvas has them: red, green, blue and alpha, rows from the top.
+///
+/// A figure's pictures have no alpha. As it takes as long as many of them to draw, it is done row by row.
 fn from_the_top(image: &Image) -> Vec<u8> {
-    let rows = (0..image.height()).rev();
-    let pixels = rows.flat_map(|y| (0..image.width()).filter_map(move |x| image.get(x, y)));
-    pixels.flat_map(|color| [color.r, color.g, color.b, color.a]).collect()
+    let width = image.width() as usize;
+    let mut bytes = vec![u8::MAX; 4 * width * image.height() as usize];
+    let rows = image.buffer().chunks_exact(3 * width).rev();
+    for (to, from) in bytes.chunks_exact_mut(4 * width).zip(rows) {
+        for (to, from) in to.as_chunks_mut::<4>().0.iter_mut().zip(from.as_chunks().0) {
+            let [r, g, b] = *from;
+            *to = [r, g, b, u8::MAX];
+        }
+    }
+    bytes
 }
 
 /// Pictures of one size in rows, the first row on top, with gaps between them.
@@ -71,11 +80,14 @@ pub(crate) fn beside(rows: &[Vec<Image>]) -> Image {
     let count = [rows[0].len() as i32, rows.len() as i32];
     let mut all = Image::new((count[0] * width - GAP) as u16, (count[1] * height - GAP) as u16, Format::Rgb);
     all.set_all(|_| GROUND);
+    let whole = 3 * all.width() as usize;
     for (n, row) in rows.iter().rev().enumerate() {
         for (m, image) in row.iter().enumerate() {
-            image
-                .pixels()
-                .for_each(|(x, y, color)| all.set(m as i32 * width + x, n as i32 * height + y, color));
+            let own = 3 * image.width() as usize;
+            let first = n * height as usize * whole + 3 * m * width as usize;
+            for (y, pixels) in image.buffer().chunks_exact(own).enumerate() {
+                all.buffer_mut()[first + y * whole..][..own].copy_from_slice(pixels);
+            }
         }
     }
     all

@@ -297,7 +297,7 @@ fn fill_polygon<V: Varying>(
         *place = window(corner.position, size)?;
     }
     let mut filled = 0;
-    fan(&windows[..corners.len()], |triangle| {
+    fan(&windows[..corners.len()], &mut |triangle| {
         fill(triangle.map(|corner| windows[corner]), triangle.map(|corner| corners[corner].varying));
         filled += 1;
     });
@@ -311,7 +311,7 @@ fn fill_polygon<V: Varying>(
 /// each other: then a triangle of some fans, or of all, is turned round, and its pixels would be drawn twice. That fan is taken
 /// of which the least is turned round, mostly nothing, and this is not drawn.
 // ANCHOR: fan
-pub fn fan(windows: &[Vec4], mut visit: impl FnMut([usize; 3])) {
+pub fn fan(windows: &[Vec4], visit: &mut dyn FnMut([usize; 3])) {
     let count = windows.len();
     let triangles = |first: usize| {
         (2..count).map(move |n| {
@@ -335,7 +335,7 @@ mod tests {
     fn fan_of(corners: &[(f32, f32)]) -> Vec<[usize; 3]> {
         let windows: Vec<Vec4> = corners.iter().map(|&(x, y)| Vec4::new(x, y, 0.5, 1.0)).collect();
         let mut triangles = Vec::new();
-        fan(&windows, |triangle| triangles.push(triangle));
+        fan(&windows, &mut |triangle| triangles.push(triangle));
         triangles
     }
 

@@ -35,7 +35,7 @@ const SIDE: i32 = 16;
 fn covered(polygon: &Polygon<()>, counts: &mut [u32]) {
     let windows = polygon.corners().iter().map(|corner| window(corner.position, size()).unwrap());
     let windows: Vec<Vec4> = windows.collect();
-    fan(&windows, |triangle| {
+    fan(&windows, &mut |triangle| {
         let corners = triangle.map(|corner| windows[corner].xy());
         fill(corners, verify::window(SIDE, SIDE), |x, y, _| counts[(y * SIDE + x) as usize] += 1);
     });
