@@ -74,8 +74,11 @@ impl Frame {
         let bytes = image.bytes_per_pixel();
         // A picture without pixels has no row.
         let row = (image.width() as usize * bytes).max(1);
-        let canvas = &self.canvas;
-        self.threads.each_piece(image.buffer_mut(), row, |y, to| canvas.copy_row(y, to, bytes));
+        let (canvas, side) = (&self.canvas, self.canvas.grid.side as usize);
+        // A row of tiles at once.
+        self.threads.each_piece(image.buffer_mut(), side * row, |n, rows| {
+            rows.chunks_mut(row).zip(n * side..).for_each(|(to, y)| canvas.copy_row(y, to, bytes));
+        });
     }
 
     // ANCHOR: draw

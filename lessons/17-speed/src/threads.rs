@@ -24,6 +24,11 @@ impl Threads {
         Self((count > 1).then(pool))
     }
 
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.0.as_ref().map_or(1, ThreadPool::current_num_threads)
+    }
+
     /// Does some work on one of the threads, from where the others are soon at hand.
     pub(crate) fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         match &self.0 {
@@ -46,8 +51,8 @@ impl Threads {
     ) {
         match &self.0 {
             Some(pool) => pool.install(|| {
-                let pieces = items.par_chunks_mut(length).with_max_len(1);
-                pieces.enumerate().for_each(|(n, piece)| work(n, piece));
+                // One after the other to whoever is free, and not first half to one and half to the other.
+                items.chunks_mut(length).enumerate().par_bridge().for_each(|(n, piece)| work(n, piece));
             }),
             None => items.chunks_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),
         }
