@@ -1,9 +1,9 @@
 //! Threads: tiles share no pixel, so all cores draw.
 //!
 //! **Better:** vertices are computed each by itself, parts of the triangles sorted each into lists of their own, and tiles drawn
-//! each to memory of its own. Nothing is locked, and which thread does what changes no pixel: a tile takes the parts' lists in
-//! their order. Who has nothing left to do takes work from others (R. Blumofe and C. Leiserson, *Scheduling multithreaded
-//! computations by work stealing*, 1994; the crate `rayon` does it).
+//! each to memory of its own. No pixel is locked, and which thread does what changes none: a tile takes the parts' lists in their
+//! order. Who is free takes the next part or tile, from a list behind a lock that is held for an instant (`par_bridge` of the
+//! crate `rayon`).
 //! **What it costs:** a thread that sleeps is woken once a drawing, and once for the picture. What is drawn in less time
 //! than that gains nothing, and what waits for memory gains little: cores share it.
 
@@ -51,7 +51,7 @@ impl Threads {
     ) {
         match &self.0 {
             Some(pool) => pool.install(|| {
-                // One after the other to whoever is free, and not first half to one and half to the other.
+                // Halves of halves, rayon's way with slices, can leave one long piece to the end.
                 items.chunks_mut(length).enumerate().par_bridge().for_each(|(n, piece)| work(n, piece));
             }),
             None => items.chunks_mut(length).enumerate().for_each(|(n, piece)| work(n, piece)),

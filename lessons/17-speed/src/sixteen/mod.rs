@@ -64,8 +64,8 @@ struct Prepared {
     counts: Counts,
 }
 
-/// A tile, and the fragments in it that are not shaded yet. Were a line of the cache part of two of them, what one thread writes
-/// there the other would have to fetch again: two threads took 15 % longer.
+/// A tile, and the fragments in it that are not shaded yet; in lines of the cache of its own, since what one thread writes would
+/// be fetched again by a thread that reads another part of the line.
 #[derive(Default)]
 #[repr(align(128))]
 struct Desk {
