@@ -11,7 +11,7 @@ use crate::eight::Wide;
 use crate::render::Job;
 use crate::threads::Threads;
 use crate::tile::{Canvas, Tile};
-use crate::tiles::{Sorted, parts};
+use crate::tiles::{Sorted, at_least, parts};
 
 /// Which of the ideas are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,8 +98,8 @@ impl Frame {
 
             // 2. Triangles, sorted into tiles, in as many parts as will keep all threads busy.
             let (count, part) = parts(mesh.faces.len(), plan.threads);
-            sorted.resize_with(count, Sorted::default);
-            threads.each(&mut sorted, |n, sorted| {
+            let sorted = at_least(&mut sorted, count);
+            threads.each(sorted, |n, sorted| {
                 let triangles = mesh.some_triangles(part(n));
                 sorted.fill(&stages, &vertices, triangles, &grid, |triangle| triangle.bounds(grid.picture));
             });
@@ -108,7 +108,7 @@ impl Frame {
 
             // 3. Tiles.
             let deferred = plan.deferred && shader.keeps_all();
-            let job = Job { shader, sorted: &sorted, plan: *plan, deferred };
+            let job = Job { shader, sorted, plan: *plan, deferred };
             let background = canvas.background;
             threads.each(&mut canvas.tiles, |n, tile: &mut Tile| {
                 if sorted.iter().any(|part| !part.by_tile[n].is_empty()) {

@@ -89,6 +89,12 @@ impl<C: Copy, V: Copy> Sorted<C, V> {
 }
 // ANCHOR_END: sort
 
+/// The first so many of a list, which becomes longer where it has to and never shorter: what it has is used again.
+pub(crate) fn at_least<T: Default>(list: &mut Vec<T>, count: usize) -> &mut [T] {
+    list.resize_with(list.len().max(count), T::default);
+    &mut list[..count]
+}
+
 /// Bits of a triangle's number among those of a part and a tile; the bits above tell the part.
 pub(crate) const BITS: u32 = 24;
 

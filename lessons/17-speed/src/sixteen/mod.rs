@@ -31,7 +31,7 @@ use scene::scene::Style;
 
 use crate::eight::packed;
 use crate::threads::Threads;
-use crate::tiles::{Grid, Sorted, parts};
+use crate::tiles::{Grid, Sorted, at_least, parts};
 use corners::{Corners, Numbers};
 use fragments::{Fragments, Look};
 use light::Lamp;
@@ -59,8 +59,9 @@ struct Tiled {
 #[derive(Default)]
 struct Prepared {
     vertices: Vec<Computed<Numbers>>,
-    /// Its triangles, in some parts.
+    /// Its triangles, in the first so many parts.
     sorted: Vec<Sorted<Option<Gradients>, Numbers>>,
+    parts: usize,
     counts: Counts,
 }
 
@@ -99,14 +100,15 @@ impl Sixteen {
 impl Prepared {
     /// Computes the vertices of a pass, and sorts its triangles into tiles.
     fn prepare(&mut self, threads: &Threads, pass: &Pass, lamps: &Lamps, style: Style, grid: &Grid) {
-        let Self { vertices, sorted, counts } = self;
+        let Self { vertices, sorted, counts, .. } = self;
         let size = (grid.picture.max + 1).as_vec2();
         let corners = Corners { pass, placed: pass.placed(lamps), style, size };
         let stages = Stages::new(&corners, pass.cull, Clipping::GuardBand, size);
         let mesh = pass.mesh.assembled();
         threads.fill(vertices, mesh.vertices.len(), |n| stages.vertex(&mesh.vertices[n]));
         let (count, part) = parts(mesh.faces.len(), threads.count());
-        sorted.resize_with(count, Sorted::default);
+        self.parts = count;
+        let sorted = at_least(sorted, count);
         threads.each(sorted, |n, sorted| {
             let triangles = mesh.some_triangles(part(n));
             sorted.fill(&stages, vertices, triangles, grid, |triangle| triangle.pixels(grid.picture));
@@ -139,7 +141,7 @@ impl Ordered<'_> {
             tile.clear(self.background);
             dispatch!(self.level, simd => {
                 for (look, pass) in self.looks.iter().zip(self.passes) {
-                    for sorted in &pass.sorted {
+                    for sorted in &pass.sorted[..pass.parts] {
                         raster::draw(simd, look, &sorted.by_tile[number], tile, fragments);
                     }
                 }
@@ -169,8 +171,7 @@ impl Tiled {
         self.lamps.1.extend(scene.lights.iter().map(Lamp::new));
         let Self { level, lamps: (at_vertices, at_pixels), passes, desks } = self;
         let drawn: Vec<Pass> = frame.passes().collect();
-        passes.resize_with(passes.len().max(drawn.len()), Prepared::default);
-        let passes = &mut passes[..drawn.len()];
+        let passes = at_least(passes, drawn.len());
         threads.each(passes, |n, pass| pass.prepare(threads, &drawn[n], at_vertices, scene.style, &grid));
         let mut counts = Counts::default();
         passes.iter().for_each(|pass| counts += pass.counts);
