@@ -29,6 +29,7 @@ mod kept;
 mod lines;
 mod packed;
 mod perspective;
+mod scene;
 mod scenes;
 mod textures;
 mod transforms;
@@ -80,6 +81,7 @@ pub static FIGURES: &[Figure] = &[
     scenes::BLENDING,
     antialiasing::HEAD,
     antialiasing::EDGE,
+    scene::SCENE,
 ];
 
 /// One figure.

@@ -1,0 +1,210 @@
+//! Lesson 16's scene, without what a page would have to load: the head in one level, among spheres, one of them of glass, on a floor.
+
+use std::sync::{Arc, LazyLock, Mutex};
+
+use antialiasing::canvas::{Canvas, render_with};
+use antialiasing::multisampled::Multisampled;
+use antialiasing::resolve;
+use antialiasing::storage::Samples;
+use blending::compare::Compare;
+use blending::translucent::Translucent;
+use blending::{DepthTest, Over, State, TwoShift};
+use clipping::render::Vertices;
+use clipping::{Counts, Cull};
+use common::{Color, Image, Method, Vec2, Vec3, Vec4};
+use filtering::MIPMAPS;
+use filtering::footprint::Gradients;
+use lighting::PointLight;
+use lighting::light::Falloff;
+use perspective::scene::Loaded;
+use scene::lamps::Lamps;
+use scene::levels::{Sizes, spheres};
+use scene::render::Frame;
+use scene::shader::{AtPixels, Base, Look, Textured};
+use scene::version_11::VERSION;
+use scene::{
+    Entity, Filtering, Levels, METHODS, Mesh, Orbit, Paint, Renderer, Scene, Shading, Shape, Style, Target,
+    render_scene,
+};
+use shaders::shader::Fragment;
+use transforms::inverse::rigid;
+
+use crate::head::{self, HEAD, method};
+use crate::scenes::FLOOR;
+use crate::{Figure, Input, Values, View};
+
+/// Width and height of the picture.
+const SIDE: u16 = 240;
+/// How high the floor is.
+const GROUND: f32 = -1.0;
+
+pub(crate) const SCENE: Figure = Figure {
+    name: "scene-default",
+    stays: true,
+    hint: "Take the eye around by dragging, or by the sliders, and nearer. Choose how many triangles the spheres have.",
+    inputs: &[
+        Input::Turn { from: [-24.0, 4.0] },
+        Input::Slider { label: "Distance", from: 7.0, range: [2.0, 28.0], step: 0.5 },
+        method(|| Method::rows(METHODS), "by-size"),
+    ],
+    draw,
+};
+
+/// The lesson's renderer, for surfaces that have one colour or a texture and are lit at the pixels: two loops, where the lesson has
+/// one for each look.
+struct FewLooks;
+
+impl Renderer for FewLooks {
+    fn draw(&mut self, frame: &Frame, picture: &mut Image) -> Counts {
+        let mut lamps = Lamps::default();
+        lamps.set(&frame.scene.lights);
+        let mut canvas = Multisampled::<1, Samples<1>>::new([SIDE.into(); 2]);
+        canvas.clear(frame.scene.background, false);
+        let mut counts = Counts::default();
+        for pass in frame.passes() {
+            let mesh = pass.mesh;
+            let base = match mesh.paint() {
+                &Paint::Color(color) => Surface::Plain(color),
+                Paint::Texture(texture) => {
+                    let (filter, size) = (frame.scene.style.filter, picture.size());
+                    Surface::Textured(Textured { texture, uvs: mesh.uvs(), filter, size })
+                }
+                Paint::Colors(_) => unreachable!("nothing here has a colour for each vertex"),
+            };
+            let look = Look { mesh, to_clip: pass.to_clip, base, lighting: AtPixels(pass.placed(&lamps)) };
+            counts += match pass.alpha {
+                None => {
+                    let mut vertices = Vertices::default();
+                    render_with(&mut vertices, &look, mesh.assembled(), pass.cull, State::OFF, &mut canvas)
+                }
+                Some(alpha) => {
+                    let shader = Translucent { shader: look, alpha, vertices: () };
+                    let depth = DepthTest { function: Compare::Less, write: false };
+                    let blend = Over::<TwoShift>::default();
+                    let state = State { scissor: (), stencil: (), depth, blend, mask: () };
+                    let mut vertices = Vertices::default();
+                    render_with(&mut vertices, &shader, mesh.assembled(), pass.cull, state, &mut canvas)
+                }
+            };
+        }
+        canvas.resolve(resolve, picture);
+        counts
+    }
+}
+
+/// Where a surface's colours come from.
+enum Surface<'a> {
+    Plain(Color),
+    Textured(Textured<'a>),
+}
+
+impl Base for Surface<'_> {
+    type Constant = Option<Gradients>;
+    type Varying = Vec2;
+
+    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Option<Gradients> {
+        match self {
+            Self::Plain(_) => None,
+            Self::Textured(textured) => textured.triangle(vertices, clip),
+        }
+    }
+
+    fn vertex(&self, vertex: usize) -> Vec2 {
+        match self {
+            Self::Plain(_) => Vec2::ZERO,
+            Self::Textured(textured) => textured.vertex(vertex),
+        }
+    }
+
+    fn color(&self, gradients: Option<Gradients>, fragment: Fragment<Vec2>) -> Color {
+        match self {
+            Self::Plain(color) => *color,
+            Self::Textured(textured) => textured.color(gradients, fragment),
+        }
+    }
+}
+
+/// A model with its texture and the levels of that.
+fn textured(loaded: &Loaded, wrap: filtering::Wrap) -> Arc<Levels> {
+    let texture = Arc::new(MIPMAPS[1].run.texture(&loaded.texture, wrap));
+    Levels::one(Mesh::new(&Shape::of(&loaded.model, &loaded.normals), Paint::Texture(texture)))
+}
+
+/// The head and the floor.
+static MODELS: LazyLock<[Arc<Levels>; 2]> =
+    LazyLock::new(|| [textured(&HEAD, filtering::Wrap::Clamp), textured(&FLOOR, filtering::Wrap::Repeat)]);
+
+fn scene(sizes: Sizes) -> Scene {
+    let [head, floor] = &*MODELS;
+    let [gold, cyan] =
+        [(245, 180, 50), (120, 220, 235)].map(|(r, g, b)| spheres(sizes, &Paint::Color(Color::rgb(r, g, b))));
+    let at = |levels: &Arc<Levels>, position: [f32; 3], size: f32| Entity {
+        position: position.into(),
+        scale: Vec3::splat(size),
+        ..Entity::new(levels.clone())
+    };
+    let light = |position: [f32; 3], diffuse: f32, specular: f32| PointLight {
+        position: position.into(),
+        ambient: 0.13,
+        diffuse,
+        specular,
+        shininess: 64.0,
+        falloff: Falloff::None,
+    };
+    Scene {
+        entities: vec![
+            at(head, [0.0; 3], 1.0),
+            at(&gold, [1.35, GROUND + 0.4, 0.35], 0.4),
+            Entity { alpha: 0.4, ..at(&cyan, [0.75, GROUND + 0.3, 1.25], 0.3) },
+            at(floor, [0.0; 3], 1.0),
+        ],
+        lights: vec![light([3.0, 4.0, 4.0], 0.75, 0.5), light([-5.0, 3.0, 1.0], 0.3, 0.0)],
+        background: Color::rgb(0x22, 0x2c, 0x42),
+        style: Style { shading: Shading::BlinnPhong, filter: Filtering::Trilinear, cull: Cull::Back },
+    }
+}
+
+/// The scene with the spheres that were asked for last: to make them takes longer than to draw them.
+static KEPT: Mutex<Option<(&str, Scene)>> = Mutex::new(None);
+
+fn draw(mut values: Values) -> View {
+    let turn = [values.number(), values.number()];
+    let distance = values.number();
+    let method = values.choice(METHODS);
+    let mut kept = KEPT.lock().expect("no drawing fails");
+    let (_, scene) = match kept.take() {
+        Some((name, scene)) if name == method.name => kept.insert((name, scene)),
+        _ => kept.insert((method.name, scene(method.run))),
+    };
+    let mut target = Target::with(Box::new(FewLooks), SIDE, SIDE);
+    let counts = seen(scene, turn, distance, &mut target);
+    let rest = format!(
+        "the eye is {distance} away; entities outside: {}, triangles filled: {}",
+        counts.outside, counts.triangles.filled
+    );
+    head::view(target.into_picture(), method.name, "the scene", turn, &rest)
+}
+
+/// Draws the scene from so far away.
+fn seen(scene: &Scene, turn: [f32; 2], distance: f32, target: &mut Target) -> scene::Counts {
+    let projection = (VERSION.projection)(Vec2::splat(SIDE.into()));
+    let camera = Orbit::new(-turn[0], turn[1], distance).above(0.9 * GROUND).camera();
+    render_scene(scene, target, &projection, &rigid(&camera))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scene_is_as_the_lesson_draws_it() {
+        for (turn, distance) in [([-24.0, 4.0], 7.0), ([90.0, 45.0], 3.0), ([180.0, -30.0], 2.0)] {
+            let scene = scene(METHODS[0].run);
+            let [mut own, mut lesson] =
+                [Target::with(Box::new(FewLooks), SIDE, SIDE), Target::new(SIDE, SIDE)];
+            let counts = [&mut own, &mut lesson].map(|target| seen(&scene, turn, distance, target));
+            assert_eq!(counts[0], counts[1], "{turn:?}");
+            assert!(own.picture() == lesson.picture(), "{turn:?}");
+        }
+    }
+}
