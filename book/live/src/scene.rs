@@ -30,8 +30,7 @@ use shaders::shader::Fragment;
 use transforms::inverse::rigid;
 
 use crate::head::{self, HEAD, method};
-use crate::scenes::FLOOR;
-use crate::{Figure, Input, Values, View};
+use crate::{Figure, Input, Values, View, packed};
 
 /// Width and height of the picture.
 const SIDE: u16 = 240;
@@ -131,8 +130,9 @@ fn textured(loaded: &Loaded, wrap: filtering::Wrap) -> Arc<Levels> {
 }
 
 /// The head and the floor.
-static MODELS: LazyLock<[Arc<Levels>; 2]> =
-    LazyLock::new(|| [textured(&HEAD, filtering::Wrap::Clamp), textured(&FLOOR, filtering::Wrap::Repeat)]);
+static MODELS: LazyLock<[Arc<Levels>; 2]> = LazyLock::new(|| {
+    [textured(&HEAD, filtering::Wrap::Clamp), textured(&packed::few_slabs(), filtering::Wrap::Repeat)]
+});
 
 fn scene(sizes: Sizes) -> Scene {
     let [head, floor] = &*MODELS;

@@ -40,7 +40,7 @@ pub(crate) fn camera((center, distance, fov): Camera, turn: [f32; 2]) -> (Mat4, 
 }
 
 /// Lesson 10's floor.
-pub(crate) static FLOOR: LazyLock<Loaded> = LazyLock::new(packed::floor);
+static FLOOR: LazyLock<Loaded> = LazyLock::new(packed::floor);
 
 /// Lesson 10's head.
 pub(crate) const PERSPECTIVE: Figure = Figure {
