@@ -185,7 +185,7 @@ fn draw(mut values: Values) -> View {
     head::view(target.into_picture(), method.name, "the scene", turn, &rest)
 }
 
-/// Draws the scene from so far away.
+/// Draws the scene as a camera sees it that goes around it, so far away.
 fn seen(scene: &Scene, turn: [f32; 2], distance: f32, target: &mut Target) -> scene::Counts {
     let projection = (VERSION.projection)(Vec2::splat(SIDE.into()));
     let camera = Orbit::new(-turn[0], turn[1], distance).above(0.9 * GROUND).camera();

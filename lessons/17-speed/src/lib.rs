@@ -205,7 +205,7 @@ pub const METHODS: &[Method<Renderer>] = &[
     Method {
         name: "threads",
         run: Renderer::tiled(THREADS),
-        promise: "tiles share no pixel: all cores draw, and lock none",
+        promise: "tiles share no pixel: all cores draw, and no pixel is locked",
         failure: "two threads share memory, caches and clock; what takes less than waking a thread gains nothing",
     },
 ];

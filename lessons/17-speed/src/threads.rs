@@ -2,8 +2,8 @@
 //!
 //! **Better:** vertices are computed each by itself, parts of the triangles sorted each into lists of their own, and tiles drawn
 //! each to memory of its own. No pixel is locked, and which thread does what changes none: a tile takes the parts' lists in their
-//! order. Who is free takes the next part or tile, from a list behind a lock that is held for an instant (`par_bridge` of the
-//! crate `rayon`).
+//! order. Who is free takes the next part, tile or row of tiles, from a list behind a lock that is held for an instant
+//! (`par_bridge` of the crate `rayon`); vertices, which take alike, are divided.
 //! **What it costs:** a thread that sleeps is woken once a drawing, and once for the picture. What is drawn in less time
 //! than that gains nothing, and what waits for memory gains little: cores share it.
 

@@ -39,7 +39,7 @@ impl<'a> Look<'a> {
 /// A part of a triangle that is seen in a pixel.
 #[derive(Clone, Copy, Default)]
 struct Seen {
-    /// The triangle's number among those of the pass in the tile.
+    /// The triangle's number in the list that is being drawn.
     triangle: u32,
     /// The pixel's place in the tile.
     place: u16,
@@ -49,7 +49,7 @@ struct Seen {
     weights: Vec3,
 }
 
-/// Those of a pass in a tile that wait to be shaded: fewer than eight, and those of one triangle more.
+/// Those of a list of triangles that wait to be shaded: fewer than eight, and those of one triangle more.
 pub(crate) struct Fragments(Vec<Seen>);
 
 impl Default for Fragments {
@@ -61,9 +61,9 @@ impl Default for Fragments {
 /// Eight of them.
 pub(crate) struct Group<'a, S: Simd> {
     /// The triangles that they are of, each with a bit for each of its fragments.
-    pub(crate) parts: &'a [(u8, &'a Triangle)],
+    parts: &'a [(u8, &'a Triangle)],
     /// The pixels' columns and rows.
-    pub(crate) pixels: [[i32; LANES]; 2],
+    pixels: [[i32; LANES]; 2],
     /// The weights of the corners in space.
     weights: [f32x8<S>; 3],
 }
@@ -88,7 +88,7 @@ impl Fragments {
         self.0.drain(..shaded);
     }
 
-    /// Shades what is left, at the end of a pass: the last one again and again where there are fewer than eight.
+    /// Shades what is left, at the end of a list: the last one again and again where there are fewer than eight.
     #[inline(always)]
     pub(crate) fn shade_rest<S: Simd>(
         &mut self,

@@ -1,10 +1,11 @@
-//! Lesson 16's scene with sixteen samples a pixel, by the ideas of this lesson.
+//! Lesson 16's scene with sixteen samples a pixel, by this lesson's blocks, lanes, tiles and threads.
 //!
-//! **Better:** a picture of 1024×768 pixels has 100 MB of samples, which pass through the cache for each surface that is drawn.
+//! **Better:** a picture of 1024×768 pixels has 100 MB of samples; what a surface covers of them passes through the cache again.
 //! Here all triangles of a frame are sorted into tiles first, and a tile is drawn at once, from the first surface to the last,
 //! and resolved: its samples, 132 KB, stay in a core's second cache, and each core needs just one tile. Sixteen samples are
-//! covered and compared by a few instructions; fragments, of whatever triangles, are shaded eight at a time. A block of 8×8
-//! pixels that one triangle covers is painted without any of it, and has no depths until another triangle comes.
+//! covered and compared by a few instructions; fragments, of whatever triangles, are shaded eight at a time. Of a
+//! block of 8×8 pixels that an opaque triangle is the first to reach, and covers whole, no sample is asked, and its depths are
+//! written only when another triangle comes.
 //! **What it costs:** meshes of all looks must be one kind of triangle, so what is interpolated is an array of numbers
 //! (`corners`), and what it means is told when the program runs, once for eight fragments.
 //!
@@ -24,7 +25,6 @@ use clipping::render::{Computed, Stages};
 use clipping::{Clipping, Counts};
 use common::Image;
 use fearless_simd::{Level, dispatch};
-use filtering::footprint::Gradients;
 use scene::lamps::Lamps;
 use scene::render::{Frame, Loops, Pass, Renderer};
 use scene::scene::Style;
@@ -32,7 +32,7 @@ use scene::scene::Style;
 use crate::eight::packed;
 use crate::threads::Threads;
 use crate::tiles::{Grid, Sorted, at_least, parts};
-use corners::{Corners, Numbers};
+use corners::{Constant, Corners, Numbers};
 use fragments::{Fragments, Look};
 use light::Lamp;
 use tile::{SIDE, Tile};
@@ -60,13 +60,13 @@ struct Tiled {
 struct Prepared {
     vertices: Vec<Computed<Numbers>>,
     /// Its triangles, in the first so many parts.
-    sorted: Vec<Sorted<Option<Gradients>, Numbers>>,
+    sorted: Vec<Sorted<Constant, Numbers>>,
     parts: usize,
     counts: Counts,
 }
 
-/// A tile, and the fragments in it that are not shaded yet; in lines of the cache of its own, since what one thread writes would
-/// be fetched again by a thread that reads another part of the line.
+/// A tile, and the fragments in it that are not shaded yet; in cache lines of its own, since what one thread writes would be
+/// fetched again by a thread that reads another part of the line.
 #[derive(Default)]
 #[repr(align(128))]
 struct Desk {

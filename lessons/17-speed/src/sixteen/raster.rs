@@ -10,7 +10,7 @@ use super::tile::{Known, Tile};
 use crate::blocks::{Cover, SIDE, cover_within};
 use crate::triangle::Edges;
 
-/// Draws the triangles of a pass into a tile, in this order.
+/// Draws a list of triangles that look alike into a tile, in this order.
 #[inline(always)]
 pub(crate) fn draw<S: Simd>(
     simd: S,
@@ -45,7 +45,7 @@ fn find<S: Simd>(
     let writes = look.alpha.is_none();
     let Bounds { min, max } = triangle.pixels(tile.bounds);
     let offsets = Offsets::new(simd, edges);
-    let depths = Depths::new(triangle.z, edges, &offsets);
+    let asked = Asked { number, edges, depths: Depths::new(triangle.z, edges, &offsets), writes };
     let whole = triangle.pixels(Bounds::EVERYTHING);
     let is_small = (whole.max - whole.min).max_element() < SMALL;
     if is_small {
@@ -56,7 +56,7 @@ fn find<S: Simd>(
             }
         }
         let covered = |at: DVec3| margins.covered(at.as_ivec3().to_array());
-        return test(simd, edges, &depths, number, writes, Bounds { min, max }, covered, tile, fragments);
+        return ask(simd, &asked, Bounds { min, max }, covered, tile, fragments);
     }
     let is_in_view = triangle.z.max_element() < 1.0;
     for y in (min.y & !(SIDE - 1)..=max.y).step_by(SIDE as usize) {
@@ -76,7 +76,7 @@ fn find<S: Simd>(
             }
             write_depths(simd, corner, tile);
             let covered = |at| if cover == Cover::Whole { ALL } else { offsets.covered(at, edges.inside) };
-            test(simd, edges, &depths, number, writes, bounds, covered, tile, fragments);
+            ask(simd, &asked, bounds, covered, tile, fragments);
         }
     }
 }
@@ -101,15 +101,20 @@ fn paint_block<S: Simd>(
     }
 }
 
-/// Finds which samples of some pixels are covered and not hidden.
-#[inline(always)]
-#[expect(clippy::too_many_arguments)]
-fn test<S: Simd>(
-    simd: S,
-    edges: &Edges,
-    depths: &Depths<S>,
+/// A triangle whose samples are asked.
+struct Asked<'a, S: Simd> {
     number: u32,
+    edges: &'a Edges,
+    depths: Depths<S>,
+    /// Whether it leaves its depths behind.
     writes: bool,
+}
+
+/// Finds which samples of some pixels are covered and not hidden, and keeps them as fragments.
+#[inline(always)]
+fn ask<S: Simd>(
+    simd: S,
+    &Asked { number, edges, ref depths, writes }: &Asked<S>,
     bounds: Bounds,
     covered: impl Fn(DVec3) -> u32,
     tile: &mut Tile,

@@ -83,7 +83,7 @@ impl Tile {
         self.bounds.min + IVec2::new(place as i32 % SIDE, place as i32 / SIDE)
     }
 
-    /// Gives eight pixels of a row that were not drawn to their colours.
+    /// Gives their colours to eight pixels of a row to which nothing was drawn yet.
     #[inline(always)]
     pub(crate) fn paint_row(&mut self, place: usize, colors: [u32; 8]) {
         self.one[place..place + 8].copy_from_slice(&colors);
