@@ -23,7 +23,8 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// The code of all figures is no larger once `wasm-opt` has made it smaller: a page loads it whole.
 const LIMIT: usize = 610 * 1024;
 
-/// For `wasm-opt`: by size, which costs no speed here, with what the compiler uses of WebAssembly, which every browser has had since 2022.
+/// For `wasm-opt`: by size, which costs no speed here, with what the compiler uses of WebAssembly, which every browser has had
+/// since 2022.
 const OPTIMISE: [&str; 5] = [
     "-Oz",
     "--enable-bulk-memory",

@@ -1,4 +1,5 @@
-//! Lesson 16's scene, without what a page would have to load: the head in one level, among spheres, one of them of glass, on a floor.
+//! Lesson 16's scene, without what a page would have to load: the head in one level, among spheres, one of them of glass, on a
+//! floor.
 
 use std::sync::{Arc, LazyLock, Mutex};
 
@@ -9,23 +10,18 @@ use antialiasing::storage::Samples;
 use blending::compare::Compare;
 use blending::translucent::Translucent;
 use blending::{DepthTest, Over, State, TwoShift};
+use clipping::Counts;
 use clipping::render::Vertices;
-use clipping::{Counts, Cull};
 use common::{Color, Image, Method, Vec2, Vec3, Vec4};
 use filtering::MIPMAPS;
 use filtering::footprint::Gradients;
-use lighting::PointLight;
-use lighting::light::Falloff;
 use perspective::scene::Loaded;
 use scene::lamps::Lamps;
 use scene::levels::{Sizes, spheres};
 use scene::render::Frame;
 use scene::shader::{AtPixels, Base, Look, Textured};
-use scene::version_11::VERSION;
-use scene::{
-    Entity, Filtering, Levels, METHODS, Mesh, Orbit, Paint, Renderer, Scene, Shading, Shape, Style, Target,
-    render_scene,
-};
+use scene::version_11::{GROUND, VERSION, lit};
+use scene::{Entity, Levels, METHODS, Mesh, Orbit, Paint, Renderer, Scene, Shape, Target, render_scene};
 use shaders::shader::Fragment;
 use transforms::inverse::rigid;
 
@@ -34,8 +30,6 @@ use crate::{Figure, Input, Values, View, packed};
 
 /// Width and height of the picture.
 const SIDE: u16 = 240;
-/// How high the floor is.
-const GROUND: f32 = -1.0;
 
 pub(crate) const SCENE: Figure = Figure {
     name: "scene-default",
@@ -49,8 +43,8 @@ pub(crate) const SCENE: Figure = Figure {
     draw,
 };
 
-/// The lesson's renderer, for surfaces that have one colour or a texture and are lit at the pixels: two loops, where the lesson has
-/// one for each look.
+/// The lesson's renderer, for surfaces that have one colour or a texture and are lit at the pixels: two loops, where the lesson
+/// has one for each look.
 struct FewLooks;
 
 impl Renderer for FewLooks {
@@ -143,25 +137,12 @@ fn scene(sizes: Sizes) -> Scene {
         scale: Vec3::splat(size),
         ..Entity::new(levels.clone())
     };
-    let light = |position: [f32; 3], diffuse: f32, specular: f32| PointLight {
-        position: position.into(),
-        ambient: 0.13,
-        diffuse,
-        specular,
-        shininess: 64.0,
-        falloff: Falloff::None,
-    };
-    Scene {
-        entities: vec![
-            at(head, [0.0; 3], 1.0),
-            at(&gold, [1.35, GROUND + 0.4, 0.35], 0.4),
-            Entity { alpha: 0.4, ..at(&cyan, [0.75, GROUND + 0.3, 1.25], 0.3) },
-            at(floor, [0.0; 3], 1.0),
-        ],
-        lights: vec![light([3.0, 4.0, 4.0], 0.75, 0.5), light([-5.0, 3.0, 1.0], 0.3, 0.0)],
-        background: Color::rgb(0x22, 0x2c, 0x42),
-        style: Style { shading: Shading::BlinnPhong, filter: Filtering::Trilinear, cull: Cull::Back },
-    }
+    lit(vec![
+        at(head, [0.0; 3], 1.0),
+        at(&gold, [1.35, GROUND + 0.4, 0.35], 0.4),
+        Entity { alpha: 0.4, ..at(&cyan, [0.75, GROUND + 0.3, 1.25], 0.3) },
+        at(floor, [0.0; 3], 1.0),
+    ])
 }
 
 /// The scene with the spheres that were asked for last: to make them takes longer than to draw them.

@@ -42,7 +42,7 @@ pub const PARTS: [(&str, Range<usize>); 5] =
 const MOVING: [usize; 3] = [2, 6, 7];
 
 /// How high the floor is.
-const GROUND: f32 = -1.0;
+pub const GROUND: f32 = -1.0;
 
 /// What is behind everything: a little bluer than the floor at the horizon, where no light but the ambient one reaches it.
 const DUSK: Color = Color::rgb(0x22, 0x2c, 0x42);
@@ -115,6 +115,12 @@ fn scene(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
         Entity { alpha: 0.4, ..at(&cyan, [0.75, 1.25], 0.3, 0.0, 0.3) },
         at(&floor, [0.0, 0.0], 1.0, 0.0, 0.0),
     ];
+    Ok(lit(entities))
+}
+
+/// Entities in this version's light, before its sky.
+#[must_use]
+pub fn lit(entities: Vec<Entity>) -> Scene {
     let light = |position: [f32; 3], diffuse: f32, specular: f32| PointLight {
         position: position.into(),
         ambient: 0.13,
@@ -123,12 +129,12 @@ fn scene(sizes: &[[usize; 2]]) -> anyhow::Result<Scene> {
         shininess: 64.0,
         falloff: Falloff::None,
     };
-    Ok(Scene {
+    Scene {
         entities,
         lights: vec![light([3.0, 4.0, 4.0], 0.75, 0.5), light([-5.0, 3.0, 1.0], 0.3, 0.0)],
         background: DUSK,
         style: Style { shading: Shading::BlinnPhong, filter: Filtering::Trilinear, cull: Cull::Back },
-    })
+    }
 }
 
 /// Slowly: the upper crate turns, and two spheres circle about the head, rising and sinking.
