@@ -1,5 +1,7 @@
 //! A texture as filters read it: its levels, each half as large as the one before.
 
+use std::sync::OnceLock;
+
 use common::{Color, Format, Image, Vec2, Vec4};
 
 use crate::layout::{Layout, Rows};
@@ -15,6 +17,7 @@ pub struct Level<L = Rows> {
     layout: L,
     lines: Vec<Line>,
     codes: &'static Codes,
+    lights: OnceLock<Vec<Vec4>>,
 }
 
 /// A line of memory, 64 bytes from an address that 64 divides: what a processor fetches at once.
@@ -36,7 +39,7 @@ impl<L: Layout> Level<L> {
             let place = layout.place(x as u32, y as u32);
             lines[place / 16].0[place % 16] = color;
         }
-        Self { width, height, layout, lines, codes }
+        Self { width, height, layout, lines, codes, lights: OnceLock::new() }
     }
 
     /// Columns, at least 1.
@@ -71,7 +74,6 @@ impl<L: Layout> Level<L> {
     ///
     /// # Panics
     /// Outside, unless that is the place of another texel in memory.
-    // ANCHOR: texel
     #[inline]
     #[must_use]
     pub fn texel(&self, i: i32, j: i32) -> Color {
@@ -89,16 +91,16 @@ impl<L: Layout> Level<L> {
         self.lines[place / 16].0[place % 16]
     }
 
-    /// Its light: red, green and blue from 0 to 255, and alpha.
-    ///
-    /// # Panics
-    /// As [`texel`](Self::texel).
+    /// The light of each texel, red, green and blue from 0 to 255, and alpha, in the layout's order: decoded when this is first
+    /// asked for, 16 bytes each.
     #[inline]
     #[must_use]
-    pub fn light(&self, i: i32, j: i32) -> Vec4 {
-        self.codes.light(self.texel(i, j))
+    pub fn lights(&self) -> &[Vec4] {
+        self.lights.get_or_init(|| {
+            let texels = self.lines.iter().flat_map(|line| line.0);
+            texels.map(|color| self.codes.light(color)).collect()
+        })
     }
-    // ANCHOR_END: texel
 }
 
 /// A texture: the picture itself, level 0, and, as far as they were made, smaller ones, each side of them half as long as

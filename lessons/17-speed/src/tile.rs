@@ -161,9 +161,9 @@ fn write(colors: &[u32], to: &mut [u8], bytes: usize) {
     }
 }
 
-/// The same of three bytes each: four pixels are three words.
+/// Writes colours as pixels of three bytes each: four pixels are three words.
 #[inline(always)]
-fn write_rgb(colors: &[u32], to: &mut [u8]) {
+pub(crate) fn write_rgb(colors: &[u32], to: &mut [u8]) {
     let (fours, rest) = to.as_chunks_mut::<12>();
     let last = &colors[4 * fours.len()..];
     for (to, [a, b, c, d]) in fours.iter_mut().zip(colors.as_chunks().0) {

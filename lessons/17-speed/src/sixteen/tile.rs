@@ -8,6 +8,7 @@ use fearless_simd::{Simd, mask32x8, prelude::*, u32x8};
 use super::samples::{ALL, SAMPLES};
 use crate::blocks::SIDE as BLOCK;
 use crate::eight::{merged, packed, unpacked};
+use crate::tile::write_rgb;
 use crate::triangle::Ready;
 
 /// A tile's side in pixels.
@@ -130,18 +131,17 @@ impl Tile {
 
     /// Writes the tile's pixels into a row of tiles, three bytes a pixel: the mean of the samples, as lesson 15 rounds it.
     #[inline(always)]
-    pub(crate) fn resolve<S: Simd>(&self, simd: S, row: &mut [u8], width: usize) {
-        let Bounds { min, max } = self.bounds;
-        let columns = (max.x - min.x + 1) as usize;
-        for y in 0..(max.y - min.y + 1) as usize {
-            let start = 3 * (y * width + min.x as usize);
-            let pixels = row[start..start + 3 * columns].as_chunks_mut::<3>().0;
-            for (pixel, place) in pixels.iter_mut().zip(SIDE as usize * y..) {
-                let color =
-                    if self.has_several[place] { mean(simd, &self.several[place]) } else { self.one[place] };
-                let [r, g, b, _] = color.to_le_bytes();
-                *pixel = [r, g, b];
+    pub(crate) fn resolve<S: Simd>(&mut self, simd: S, row: &mut [u8], width: usize) {
+        for (place, several) in self.several.iter().enumerate() {
+            if self.has_several[place] {
+                self.one[place] = mean(simd, several);
             }
+        }
+        let Bounds { min, max } = self.bounds;
+        let columns = 3 * (max.x - min.x + 1) as usize;
+        let rows = row.chunks_mut(3 * width).zip(self.one.chunks(SIDE as usize));
+        for (row, colors) in rows.take((max.y - min.y + 1) as usize) {
+            write_rgb(colors, &mut row[3 * min.x as usize..][..columns]);
         }
     }
 }
