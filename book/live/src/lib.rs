@@ -20,13 +20,13 @@ mod camera;
 mod clipping;
 mod few;
 mod filtering;
-mod filters;
 mod gouraud;
 mod head;
 mod heads;
 mod input;
 mod kept;
 mod lines;
+mod looks;
 mod packed;
 mod perspective;
 mod scene;
@@ -35,9 +35,11 @@ mod textures;
 mod transforms;
 mod triangles;
 mod view;
+mod ways;
 mod zbuffer;
 
 pub use input::{Input, Range, Values};
+use sheet::fixed;
 pub use textures::strips;
 pub use transforms::LETTER;
 pub use view::{Drawing, Rendered, View};
@@ -84,6 +86,19 @@ pub static FIGURES: &[Figure] = &[
     scene::SCENE,
 ];
 
+/// What draws them, in the same order: all that a page calls. It has what is said of the figures and of their methods in its
+/// script, and would load it twice with the code.
+pub static DRAWINGS: [fn(Values) -> View; 36] = {
+    let mut drawings = [FIGURES[0].draw; 36];
+    assert!(drawings.len() == FIGURES.len());
+    let mut n = 0;
+    while n < drawings.len() {
+        drawings[n] = FIGURES[n].draw;
+        n += 1;
+    }
+    drawings
+};
+
 /// One figure.
 pub struct Figure {
     /// That of its still figure.
@@ -108,22 +123,16 @@ impl Figure {
         let values: Vec<f64> = ranges.map(|range| range.nearest(given.next().unwrap_or(f64::NAN))).collect();
         (self.draw)(Values::new(&values))
     }
-
-    /// The same as bytes and numbers, for the page.
-    #[must_use]
-    pub fn render(&self, values: &[f64]) -> Rendered {
-        Rendered::of(self.view(values))
-    }
 }
 
 /// A number with three digits behind the point and a true minus.
 pub(crate) fn number(x: f32) -> String {
-    format!("{:.3}", if x.abs() < 0.0005 { 0.0 } else { x }).replace('-', "−")
+    fixed(x, 3).replace('-', "−")
 }
 
 /// A whole number with a true minus.
 pub(crate) fn whole(x: f32) -> String {
-    x.to_string().replace('-', "−")
+    (x as i32).to_string().replace('-', "−")
 }
 
 #[cfg(test)]

@@ -10,6 +10,8 @@ use filtering::scene::fine;
 use perspective::scene::Loaded;
 use textures::Wrap;
 
+use crate::head::sound;
+
 /// The head in the fewest triangles that there is.
 const HEAD: &[u8] = include_bytes!("../packed/head.bin");
 /// The head's texture.
@@ -45,7 +47,7 @@ fn loaded(mesh: &Mesh, texture: Image, wrap: Wrap) -> Loaded {
         .and_then(|model| model.with_uvs(uvs, triangles(|corner| corner.uv)));
     let normal = |corner: Corner| unit(mesh.normals[corner.normal].as_vec3()).unwrap_or_default();
     Loaded {
-        model: model.expect("it is one of ours"),
+        model: sound(model),
         normals: mesh.triangles.iter().map(|corners| corners.map(normal)).collect(),
         texture,
         wrap,
