@@ -12,8 +12,9 @@
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and
 //! `book/browser/live.js` with what the page shows, moved by mouse and keys. A change must take less than 16 ms, so draw on some
-//! hundred shapes or 400 × 400 pixels at most. `cargo run -p book` builds the code (`book/src/moving.rs` says how), `package
-//! live-wasm` exports it, `book/theme/live.js` is all that runs in the page besides.
+//! hundred shapes or 400 × 400 pixels at most. A page loads the code of all figures: where a lesson has a loop for each of its
+//! methods, a figure has one for all, as in `looks`; what takes longest is in `live-loops`. `cargo run -p book` builds the code
+//! (`book/src/moving.rs` says how), `package live-wasm` exports it, `book/theme/live.js` is all that runs in the page besides.
 
 mod antialiasing;
 mod camera;
@@ -39,12 +40,14 @@ mod ways;
 mod zbuffer;
 
 pub use input::{Input, Range, Values};
-use sheet::fixed;
+pub use packed::{HEAD, give};
 pub use textures::strips;
 pub use transforms::LETTER;
 pub use view::{Drawing, Rendered, View};
 
-/// All figures that move. The page's script calls one by its number here.
+use sheet::fixed;
+
+/// All figures that move. The page's script calls one by its number here, out of [`DRAWINGS`], whose length is to be told.
 ///
 /// As a constant all that it calls would be compiled a second time in the crate that exports it.
 pub static FIGURES: &[Figure] = &[
@@ -86,8 +89,8 @@ pub static FIGURES: &[Figure] = &[
     scene::SCENE,
 ];
 
-/// What draws them, in the same order: all that a page calls. It has what is said of the figures and of their methods in its
-/// script, and would load it twice with the code.
+/// What draws them, in the same order: all that a page calls. The words that go with figures and methods are in the page's
+/// script, and would be loaded a second time with the code.
 pub static DRAWINGS: [fn(Values) -> View; 36] = {
     let mut drawings = [FIGURES[0].draw; 36];
     assert!(drawings.len() == FIGURES.len());

@@ -1,4 +1,4 @@
-//! What a page calls of the figures that move: five functions for all of them, compiled to WebAssembly.
+//! What a page calls of the figures that move: six functions for all of them, compiled to WebAssembly.
 //!
 //! Numbers go in one by one; what was drawn comes out as bytes in the memory that the page can read. Only names are
 //! exported here, which the language calls unsafe; nothing else is.
@@ -20,6 +20,13 @@ fn locked<T>(what: &Mutex<T>) -> MutexGuard<'_, T> {
 #[unsafe(no_mangle)]
 pub extern "C" fn push(value: f64) {
     locked(&VALUES).push(value);
+}
+
+/// Takes what was pushed as the bytes of `live::HEAD`, before anything is drawn, and forgets that.
+#[unsafe(no_mangle)]
+pub extern "C" fn give() {
+    let values = std::mem::take(&mut *locked(&VALUES));
+    live::give(values.iter().map(|&byte| byte as u8).collect());
 }
 
 /// Draws the figure of that number in `live::FIGURES`, its inputs set to what was pushed, a number for each value and within its
