@@ -15,6 +15,14 @@ use common::Vec2;
 const WIDTH: f32 = 480.0;
 /// Height of letters.
 const LETTER: f32 = 16.0;
+/// The namespace of elements.
+const SVG: &str = "http://www.w3.org/2000/svg";
+/// What letters are taken from.
+const FONTS: &str = "'Source Sans 3', 'Open Sans', 'Noto Sans', Helvetica, Arial, sans-serif";
+/// Ends and corners of lines.
+const ROUND: &str = r#"stroke-linecap="round" stroke-linejoin="round""#;
+/// The rim of letters.
+const RIM: &str = r#"paint-order="stroke" stroke-opacity="0.7" stroke-width="3""#;
 /// Free border.
 const MARGIN: f32 = 14.0;
 /// No sheet is higher; what would be is made narrower instead.
@@ -153,7 +161,7 @@ impl Sheet {
     fn with(&self, last: &str) -> String {
         let (elements, (width, height), letter) = (&self.elements, self.size(), short(LETTER));
         format!(
-            r#"<svg font-family="'Source Sans 3', 'Open Sans', 'Noto Sans', Helvetica, Arial, sans-serif" font-size="{letter}" stroke-linecap="round" stroke-linejoin="round" viewBox="0 0 {width} {height}" xmlns="http://www.w3.org/2000/svg">
+            r#"<svg font-family="{FONTS}" font-size="{letter}" {ROUND} viewBox="0 0 {width} {height}" xmlns="{SVG}">
 {elements}{last}</svg>"#
         )
     }
@@ -305,9 +313,7 @@ impl Sheet {
         let [x, y] = [x, y + LETTER * 0.35].map(short);
         let words = words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         self.add(format_args!(
-            r#"<text fill="{ink}" paint-order="stroke" stroke="{PAPER}" stroke-opacity="0.7" stroke-width="3" text-anchor="{anchor}" x="{x}" y="{y}">
-{words}
-</text>"#
+            r#"<text fill="{ink}" {RIM} stroke="{PAPER}" text-anchor="{anchor}" x="{x}" y="{y}">{words}</text>"#
         ));
     }
 
