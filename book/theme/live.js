@@ -14,15 +14,23 @@
     }
 
     /// Sets all figures of the page going.
-    async function begin({ figures, style, code }) {
-        const packed = new Blob([Uint8Array.from(atob(code), (letter) => letter.charCodeAt(0))]);
-        const unpacked = new Response(packed.stream().pipeThrough(new DecompressionStream("deflate")));
-        const { instance } = await WebAssembly.instantiate(await unpacked.arrayBuffer(), {});
+    async function begin({ figures, style, code, head }) {
+        const [program, model] = await Promise.all([code, head].map(unpack));
+        const { instance } = await WebAssembly.instantiate(program, {});
+        model.forEach((byte) => instance.exports.push(byte));
+        instance.exports.give();
         document.head.append(element("style", { textContent: style }));
         for (const figure of still) {
             const n = figures.findIndex(({ name }) => name === figure.dataset.live);
             if (n >= 0) move(figure, figures[n], (values) => render(instance.exports, n, values));
         }
+    }
+
+    /// The bytes that live-code.js has compressed and in base64.
+    async function unpack(text) {
+        const packed = new Blob([Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))]);
+        const unpacked = new Response(packed.stream().pipeThrough(new DecompressionStream("deflate")));
+        return new Uint8Array(await unpacked.arrayBuffer());
     }
 
     /// Draws a figure by the lessons' code. Returns its numbers and its parts, as `Rendered` in book/live lists them.

@@ -25,7 +25,7 @@ pub(crate) const HEAD: Figure = Figure {
     name: "antialiasing-head",
     stays: true,
     hint: "Turn the head by dragging it, or by the sliders. Choose another method.",
-    inputs: &[Input::Turn { from: [-72.0, 4.0] }, method(|| Method::rows(CANVASES), "msaa-16")],
+    inputs: &[Input::Turn { from: [-72.0, 4.0] }, method(|| Method::rows(antialiasing::METHODS), "msaa-16")],
     draw: antialiased,
 };
 

@@ -5,6 +5,7 @@ use common::{Color, Method, Vec2, Vec3};
 use transforms::{place, projection, translate, viewport};
 
 use crate::head::{SIDE, Turned};
+use crate::input::named;
 use crate::{Drawing, Figure, Input, Values, View, number, whole};
 
 /// An eye that climbs in front of the head, passes over it, and goes down behind it.
@@ -28,7 +29,7 @@ pub(crate) const POLE: Figure = Figure {
 fn pole(mut values: Values) -> View {
     const DISTANCE: f32 = 2.6;
     let [degrees, share] = [values.number(), values.number()];
-    let method = values.choice(METHODS);
+    let method = values.choice(named!(METHODS));
     let center = Vec3::new(0.0, 0.1, 0.5) * share;
     let (sin, cos) = degrees.to_radians().sin_cos();
     let eye = center + Vec3::new(0.0, sin, cos) * DISTANCE;

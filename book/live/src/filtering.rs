@@ -6,7 +6,7 @@ use filtering::{Footprint, level};
 use perspective::{perspective, view, window};
 use sheet::{BLUE, FAINT, GREY, PALE, SKY, Sheet};
 
-use crate::{Drawing, Figure, Input, Values, View, number};
+use crate::{Drawing, Figure, Input, Values, View, number, whole};
 
 /// A pixel of a floor and its footprint.
 pub(crate) const FOOTPRINTS: Figure = Figure {
@@ -90,16 +90,17 @@ fn footprints(mut values: Values) -> View {
     let Axes { major, minor, .. } = in_texels.axes();
     let finer = level.max(0.0).floor();
     let told = format!(
-        "The footprint of pixel ({}, {}) is {} texels long and {} wide, and its level is {}: trilinear takes levels {finer} and {}, \
+        "The footprint of pixel ({}, {}) is {} texels long and {} wide, and its level is {}: trilinear takes levels {} and {}, \
          whose texels are {} and {} times as wide as those of the texture.",
-        pixel.x,
-        pixel.y,
+        whole(pixel.x),
+        whole(pixel.y),
         number(major),
         number(minor),
         number(level),
-        finer + 1.0,
-        finer.exp2(),
-        (finer + 1.0).exp2(),
+        whole(finer),
+        whole(finer + 1.0),
+        whole(finer.exp2()),
+        whole((finer + 1.0).exp2()),
     );
     View { drawing: Drawing::Sheet(sheet), told, table: Vec::new() }
 }

@@ -2,11 +2,12 @@
 
 use assets::mesh::Corner;
 use assets::sphere::sphere;
-use common::{Color, Format, Image, Method, Model, Vec2, Vec3};
-use gouraud::{Drawn, METHODS, Scene, Wrap};
+use common::{Color, Format, Image, Model, Vec2, Vec3};
+use gouraud::{Drawn, Scene, Wrap};
+use live_loops::shades::Shade;
 use transforms::affine::euler;
 
-use crate::head::white;
+use crate::head::{sound, white};
 use crate::view::beside;
 use crate::{Drawing, Figure, Input, Values, View, number, whole};
 
@@ -34,16 +35,15 @@ impl Ball {
         let uvs = vec![[0; 3]; numbers.len()];
         let model =
             Model::from_triangles(positions, numbers).and_then(|model| model.with_uvs(vec![Vec2::ZERO], uvs));
-        Self { model: model.expect("a ball is sound"), normals }
+        Self { model: sound(model), normals }
     }
 
-    /// The ball by the method of that name.
-    fn drawn(&self, name: &str, light: Vec3) -> (Image, Drawn) {
+    /// The ball by that method.
+    fn drawn(&self, shade: Shade, light: Vec3) -> (Image, Drawn) {
         let Self { model, normals } = self;
         let scene = Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light };
         let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-        let method = Method::find(METHODS, name).expect("it is one of the lesson's");
-        let drawn = (method.run)(&scene, &mut image);
+        let drawn = shade.draw_as_it_stands(&scene, &mut image);
         (image, drawn)
     }
 }
@@ -79,7 +79,7 @@ fn lit(mut values: Values) -> View {
     let [right, down] = [values.number(), values.number()];
     let light = euler(Vec3::new(down, right, 0.0)) * Vec3::Z;
     let ball = Ball::new(6);
-    let pictures = vec![ball.drawn("flat", light).0, ball.drawn("gouraud", light).0, smooth(light)];
+    let pictures = vec![ball.drawn(Shade::Flat, light).0, ball.drawn(Shade::Gouraud, light).0, smooth(light)];
     let brightest = |image: &Image| image.pixels().map(|(_, _, color)| color.r).max().unwrap_or_default();
     let [flat, gouraud, sphere] = [0, 1, 2].map(|n| brightest(&pictures[n]));
     let [right, down] = [right, down].map(whole);
@@ -104,7 +104,7 @@ fn coarse(mut values: Values) -> View {
     let bands = values.number() as usize;
     let light = Vec3::new(0.5, 0.5, 0.7).normalize();
     let ball = Ball::new(bands);
-    let [(flat, drawn), (gouraud, _)] = ["flat", "gouraud"].map(|name| ball.drawn(name, light));
+    let [(flat, drawn), (gouraud, _)] = [Shade::Flat, Shade::Gouraud].map(|shade| ball.drawn(shade, light));
     let (mut whole, mut missing, mut off) = (0, 0, [0.0; 2]);
     for (x, y, color) in flat.pixels() {
         let Some(meant) = brightness(x, y, light) else { continue };

@@ -3,7 +3,8 @@
 use std::sync::LazyLock;
 
 use common::{Color, Format, Image, Mat4, Method, Model, Vec3};
-use gouraud::{Scene, Wrap, gouraud};
+use gouraud::{Scene, Wrap};
+use live_loops::shades::Shade;
 use perspective::scene::Loaded;
 use transforms::affine::euler;
 use transforms::place;
@@ -60,7 +61,7 @@ impl Turned {
 /// A picture of a scene, smoothly lit, its points placed by a matrix.
 pub(crate) fn smooth(scene: &Scene, m: &Mat4) -> Image {
     let mut image = canvas(SIDE);
-    gouraud(scene, &mut image, |point| place(m, point));
+    Shade::Gouraud.draw(scene, &mut image, &|point| place(m, point));
     image
 }
 
@@ -69,9 +70,14 @@ fn moved(model: &Model, to: impl Fn(Vec3) -> Vec3) -> Model {
     let positions = model.positions().iter().map(|&position| to(position)).collect();
     let uvs = model.face_uvs().flatten().collect();
     let corners = (0..model.triangles().len() as u32).map(|face| [0, 1, 2].map(|corner| 3 * face + corner));
-    Model::from_triangles(positions, model.triangles().to_vec())
-        .and_then(|moved| moved.with_uvs(uvs, corners.collect()))
-        .expect("what is moved is as sound as before")
+    let moved = Model::from_triangles(positions, model.triangles().to_vec());
+    sound(moved.and_then(|moved| moved.with_uvs(uvs, corners.collect())))
+}
+
+/// A model that is one of ours. `expect` would show what is wrong with it, by much code.
+pub(crate) fn sound<E>(model: Result<Model, E>) -> Model {
+    let Ok(model) = model else { unreachable!("it is one of ours") };
+    model
 }
 
 /// An eye at a distance from a centre, where what is there is seen turned by so many degrees to the right and down.

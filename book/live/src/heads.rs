@@ -5,13 +5,18 @@ use std::f32::consts::TAU;
 use camera::lookat;
 use common::{Color, DVec3, Image, Mat4, Method, Vec2, Vec3};
 use gouraud::{Scene, Wrap};
+use live_loops::shades::Shade;
 use perspective::scene::Loaded;
 use shaders::{Framebuffer, Uniforms, fit};
+use textures::draw_textured;
 use transforms::rotation::rodrigues_f64;
 use transforms::{place, projection, translate, viewport};
 use triangles::{draw_model, flat_intensity};
 
 use crate::head::{HEAD, HINT, SIDE, TURN, Turned, canvas, eye, method, smooth, view, white};
+use crate::input::{named, with};
+use crate::looks::{CALLS, LOOKS};
+use crate::textures::SAMPLERS;
 use crate::{Figure, Input, Values, View, number};
 
 /// Lesson 1's lines: the edges of the head.
@@ -21,7 +26,7 @@ pub(crate) const LINES: Figure = Figure {
     hint: "Turn a head of lines by dragging it, or by the sliders. Choose by which method its lines are drawn.",
     inputs: &[TURN, method(|| Method::rows(lines::METHODS), "bresenham")],
     draw: |values| {
-        drawn(values, lines::METHODS, |method, head, image| {
+        drawn(values, named!(lines::METHODS), |method, head, image| {
             let mut pixels = 0;
             let edges = wireframe::edges(&head.model);
             for edge in &edges {
@@ -41,7 +46,7 @@ pub(crate) const WIREFRAME: Figure = Figure {
     hint: HINT,
     inputs: &[TURN, method(|| Method::rows(wireframe::METHODS), "unique-edges")],
     draw: |values| {
-        drawn(values, wireframe::METHODS, |method, head, image| {
+        drawn(values, named!(wireframe::METHODS), |method, head, image| {
             (method.draw)(&head.model, image, Color::WHITE);
             let mut lines = 0;
             (method.visit)(&head.model, &mut |_| lines += 1);
@@ -57,7 +62,7 @@ pub(crate) const TRIANGLES: Figure = Figure {
     hint: HINT,
     inputs: &[TURN, method(|| Method::rows(triangles::METHODS), "edges")],
     draw: |values| {
-        drawn(values, triangles::METHODS, |method, head, image| {
+        drawn(values, named!(triangles::METHODS), |method, head, image| {
             draw_model(&head.model, method, image, |_, corners| {
                 let intensity = flat_intensity(corners, Vec3::Z);
                 (intensity >= 0.0).then(|| Color::gray(intensity))
@@ -74,7 +79,7 @@ pub(crate) const ZBUFFER: Figure = Figure {
     hint: HINT,
     inputs: &[TURN, method(|| Method::rows(zbuffer::METHODS), "z-f32")],
     draw: |values| {
-        drawn(values, zbuffer::METHODS, |method, head, image| {
+        drawn(values, named!(zbuffer::METHODS), |method, head, image| {
             let surfaces = zbuffer::surfaces(&head.model, Vec3::Z, image);
             (method.draw)(&surfaces, image);
             head.facing()
@@ -89,12 +94,15 @@ pub(crate) const TEXTURES: Figure = Figure {
     hint: HINT,
     inputs: &[TURN, method(|| Method::rows(textures::METHODS), "nearest")],
     draw: |values| {
-        drawn(values, textures::METHODS, |method, head, image| {
-            (method.draw)(&head.model, &HEAD.texture, Vec3::Z, image);
+        drawn(values, SAMPLERS, |sample, head, image| {
+            draw_textured(&head.model, Vec3::Z, image, |uv| sample(&HEAD.texture, uv));
             head.facing()
         })
     },
 };
+
+/// Lesson 6's methods.
+const SHADES: &[Method<Shade>] = &with(gouraud::METHODS, [Shade::None, Shade::Flat, Shade::Gouraud]);
 
 /// Lesson 6's head, white instead of textured.
 pub(crate) const GOURAUD: Figure = Figure {
@@ -103,9 +111,10 @@ pub(crate) const GOURAUD: Figure = Figure {
     hint: HINT,
     inputs: &[TURN, method(|| Method::rows(gouraud::METHODS), "gouraud")],
     draw: |values| {
-        drawn(values, gouraud::METHODS, |method, head, image| {
+        drawn(values, SHADES, |shade, head, image| {
             let Turned { model, normals } = head;
-            method(&Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light: Vec3::Z }, image);
+            let scene = Scene { model, normals, texture: &white(), wrap: Wrap::Clamp, light: Vec3::Z };
+            shade.draw_as_it_stands(&scene, image);
             head.facing()
         })
     },
@@ -144,7 +153,7 @@ pub(crate) const TRANSFORMS: Figure = Figure {
 fn composed(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
     let count = 10_u32.pow(values.number() as u32);
-    let method = values.choice(transforms::METHODS);
+    let method = values.choice(named!(transforms::METHODS));
     // What would bring it back, without any error.
     let back = rodrigues_f64(DVec3::Y, -f64::from(ANGLE) * f64::from(count)).as_mat3();
     let product = back * (method.run)(Vec3::Y, ANGLE, count);
@@ -156,7 +165,7 @@ fn composed(mut values: Values) -> View {
     let image = smooth(&scene, &all);
     let apart = |&point: &Vec3| (product * point).distance(point);
     let farthest = model.positions().iter().map(apart).fold(0.0, f32::max);
-    let rest = format!("{count} rotations leave a corner up to {farthest:.3} from where it was");
+    let rest = format!("{count} rotations leave a corner up to {} from where it was", number(farthest));
     view(image, method.name, "the head", turn, &rest)
 }
 
@@ -178,7 +187,7 @@ fn looked_at(mut values: Values) -> View {
     const DISTANCE: f32 = 2.4;
     let turn = [values.number(), values.number()];
     let center = Vec3::Z * values.number();
-    let method = values.choice(camera::METHODS);
+    let method = values.choice(named!(camera::METHODS));
     let camera::View { origin, matrix } =
         (method.run)(eye(center, DISTANCE, turn), center, Vec3::Y).expect("the eye is not at the centre");
     let side = f32::from(SIDE);
@@ -214,8 +223,8 @@ pub(crate) const SHADERS: Figure = Figure {
 fn shaded(mut values: Values) -> View {
     const DISTANCE: f32 = 2.4;
     let turn = [values.number(), values.number()];
-    let look = values.choice(shaders::SHADERS);
-    let call = values.choice(shaders::METHODS);
+    let look = values.choice(LOOKS);
+    let call = values.choice(CALLS);
     let camera = lookat(eye(Vec3::ZERO, DISTANCE, turn), Vec3::ZERO, Vec3::Y).unwrap_or_default();
     let to_clip = fit(0.36, Vec2::ONE) * projection(DISTANCE) * camera;
     let Loaded { model, normals, texture, .. } = &*HEAD;
@@ -223,7 +232,24 @@ fn shaded(mut values: Values) -> View {
     let texture = Some(texture);
     let uniforms = Uniforms { normals, texture, light, to_clip, levels: 4, ..Uniforms::new(model) };
     let mut target = Framebuffer::new(canvas(SIDE));
-    (call.run)(&look.run)(&uniforms, &mut target);
-    let rest = format!("{} bytes are interpolated for each pixel", look.run.interpolated);
+    (call.run)(look.run, &uniforms, &mut target);
+    let rest = format!("{} bytes are interpolated for each pixel", look.run.interpolated());
     view(target.image, &format!("{}, {}", look.name, call.name), "the head", turn, &rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_head_is_as_the_lesson_draws_it() {
+        let Loaded { model, normals, texture, wrap } = &*HEAD;
+        let scene = Scene { model, normals, texture, wrap: *wrap, light: Vec3::new(0.6, 0.0, 0.8) };
+        for (own, lesson) in SHADES.iter().zip(gouraud::METHODS) {
+            let [mut drawn, mut meant] = [canvas(100), canvas(100)];
+            own.run.draw_as_it_stands(&scene, &mut drawn);
+            (lesson.run)(&scene, &mut meant);
+            assert!(drawn == meant, "{}", own.name);
+        }
+    }
 }

@@ -85,7 +85,8 @@ impl Input {
     }
 }
 
-/// The rows of a table with other functions than the table's, as many.
+/// The rows of a table with other functions than the table's, as many, and with their names alone: the other words are in the
+/// page's script.
 ///
 /// What the compiler computes leaves the table's own functions out of the page's code, which each row's would else be in with all
 /// that it can do.
@@ -94,11 +95,29 @@ pub(crate) const fn with<F, R: Copy, const N: usize>(table: &[Method<F>], runs: 
     let mut rows = [Method { name: "", run: runs[0], promise: "", failure: "" }; N];
     let mut n = 0;
     while n < N {
-        let Method { name, promise, failure, .. } = table[n];
-        rows[n] = Method { name, run: runs[n], promise, failure };
+        rows[n] = Method { name: table[n].name, run: runs[n], promise: "", failure: "" };
         n += 1;
     }
     rows
+}
+
+/// A table with its rows' names and functions alone.
+macro_rules! named {
+    ($table:expr) => {
+        const { &$crate::input::with($table, $crate::input::runs::<_, { $table.len() }>($table)) }
+    };
+}
+pub(crate) use named;
+
+/// The functions of a table.
+pub(crate) const fn runs<F: Copy, const N: usize>(table: &[Method<F>]) -> [F; N] {
+    let mut runs = [table[0].run; N];
+    let mut n = 0;
+    while n < N {
+        runs[n] = table[n].run;
+        n += 1;
+    }
+    runs
 }
 
 /// The values of a figure's inputs, taken in the inputs' order.

@@ -12,21 +12,22 @@
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and
 //! `book/browser/live.js` with what the page shows, moved by mouse and keys. A change must take less than 16 ms, so draw on some
-//! hundred shapes or 400 × 400 pixels at most. `cargo run -p book` builds the code (`book/src/moving.rs` says how), `package
-//! live-wasm` exports it, `book/theme/live.js` is all that runs in the page besides.
+//! hundred shapes or 400 × 400 pixels at most. A page loads the code of all figures: where a lesson has a loop for each of its
+//! methods, a figure has one for all, as in `looks`; what takes longest is in `live-loops`. `cargo run -p book` builds the code
+//! (`book/src/moving.rs` says how), `package live-wasm` exports it, `book/theme/live.js` is all that runs in the page besides.
 
 mod antialiasing;
 mod camera;
 mod clipping;
 mod few;
 mod filtering;
-mod filters;
 mod gouraud;
 mod head;
 mod heads;
 mod input;
 mod kept;
 mod lines;
+mod looks;
 mod packed;
 mod perspective;
 mod scene;
@@ -35,14 +36,18 @@ mod textures;
 mod transforms;
 mod triangles;
 mod view;
+mod ways;
 mod zbuffer;
 
 pub use input::{Input, Range, Values};
+pub use packed::{HEAD, give};
 pub use textures::strips;
 pub use transforms::LETTER;
 pub use view::{Drawing, Rendered, View};
 
-/// All figures that move. The page's script calls one by its number here.
+use sheet::fixed;
+
+/// All figures that move. The page's script calls one by its number here, out of [`DRAWINGS`], whose length is to be told.
 ///
 /// As a constant all that it calls would be compiled a second time in the crate that exports it.
 pub static FIGURES: &[Figure] = &[
@@ -84,6 +89,19 @@ pub static FIGURES: &[Figure] = &[
     scene::SCENE,
 ];
 
+/// What draws them, in the same order: all that a page calls. The words that go with figures and methods are in the page's
+/// script, and would be loaded a second time with the code.
+pub static DRAWINGS: [fn(Values) -> View; 36] = {
+    let mut drawings = [FIGURES[0].draw; 36];
+    assert!(drawings.len() == FIGURES.len());
+    let mut n = 0;
+    while n < drawings.len() {
+        drawings[n] = FIGURES[n].draw;
+        n += 1;
+    }
+    drawings
+};
+
 /// One figure.
 pub struct Figure {
     /// That of its still figure.
@@ -108,22 +126,16 @@ impl Figure {
         let values: Vec<f64> = ranges.map(|range| range.nearest(given.next().unwrap_or(f64::NAN))).collect();
         (self.draw)(Values::new(&values))
     }
-
-    /// The same as bytes and numbers, for the page.
-    #[must_use]
-    pub fn render(&self, values: &[f64]) -> Rendered {
-        Rendered::of(self.view(values))
-    }
 }
 
 /// A number with three digits behind the point and a true minus.
 pub(crate) fn number(x: f32) -> String {
-    format!("{:.3}", if x.abs() < 0.0005 { 0.0 } else { x }).replace('-', "−")
+    fixed(x, 3).replace('-', "−")
 }
 
 /// A whole number with a true minus.
 pub(crate) fn whole(x: f32) -> String {
-    x.to_string().replace('-', "−")
+    (x as i32).to_string().replace('-', "−")
 }
 
 #[cfg(test)]

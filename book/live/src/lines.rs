@@ -2,9 +2,10 @@
 
 use common::{Bounds, IVec2, Method, Vec2, Vec2Swizzles};
 use lines::METHODS;
-use sheet::{AMBER, BLACK, Ink, ORANGE, PALE, SKY, Sheet};
+use sheet::{AMBER, BLACK, Ink, ORANGE, PALE, SKY, Sheet, fixed};
 
 use crate::few::Few;
+use crate::input::named;
 use crate::{Drawing, Figure, Input, Values, View, number};
 
 /// Columns and rows of the grid.
@@ -62,7 +63,7 @@ struct Drawn {
 impl Drawn {
     fn of(values: &mut Values) -> Self {
         let [a, b] = [values.point(), values.point()].map(|end| end.floor().as_ivec2());
-        let method = values.choice(METHODS);
+        let method = values.choice(named!(METHODS));
         let mut plotted = Vec::new();
         (method.run.visit)(a, b, Bounds::EVERYTHING, &mut |x, y, coverage| {
             plotted.push((IVec2::new(x, y), coverage));
@@ -160,7 +161,7 @@ fn shared(mut values: Values) -> View {
 
 /// A number with two digits behind the point and a true minus.
 fn hundredths(x: f32) -> String {
-    format!("{:.2}", if x.abs() < 0.005 { 0.0 } else { x }).replace('-', "−")
+    fixed(x, 2).replace('-', "−")
 }
 
 /// The steps along the longer side of a segment, ordered as lesson 1 orders it.

@@ -2,6 +2,8 @@
 //!
 //! A test compares them with those files; `cargo test -p live -- --ignored pack` writes what is packed.
 
+use std::sync::OnceLock;
+
 use assets::floor::{checks, slabs};
 use assets::mesh::{Corner, Mesh};
 use common::direction::unit;
@@ -10,18 +12,31 @@ use filtering::scene::fine;
 use perspective::scene::Loaded;
 use textures::Wrap;
 
-/// The head in the fewest triangles that there is.
-const HEAD: &[u8] = include_bytes!("../packed/head.bin");
-/// The head's texture.
-const TEXTURE: &[u8] = include_bytes!("../packed/texture.bin");
-/// Its side in texels.
+use crate::head::sound;
+
+/// The head in the fewest triangles that there is, and after it its texture. A page has them beside the code, and hands them
+/// over.
+pub const HEAD: &[u8] = include_bytes!("../packed/head.bin");
+/// What was handed over.
+static GIVEN: OnceLock<Vec<u8>> = OnceLock::new();
+/// The side of the texture in texels.
 const SIDE: u16 = 192;
 /// The side of the blocks that it is packed in.
 const BLOCK: u16 = 4;
 
+/// Takes [`HEAD`] from a page, before the first figure is drawn.
+pub fn give(head: Vec<u8>) {
+    // Whoever hands it over twice hands over the same.
+    let _ = GIVEN.set(head);
+}
+
 /// The head with its texture.
 pub(crate) fn head() -> Loaded {
-    loaded(&unpacked(), texture(), Wrap::Clamp)
+    // The code for a page has nothing but what is given.
+    let own = if cfg!(target_family = "wasm") { &[] } else { HEAD };
+    let mut rest = Rest(GIVEN.get().map_or(own, Vec::as_slice));
+    let mesh = unpacked(&mut rest);
+    loaded(&mesh, texture(rest.0), Wrap::Clamp)
 }
 
 /// Lesson 10's floor.
@@ -45,7 +60,7 @@ fn loaded(mesh: &Mesh, texture: Image, wrap: Wrap) -> Loaded {
         .and_then(|model| model.with_uvs(uvs, triangles(|corner| corner.uv)));
     let normal = |corner: Corner| unit(mesh.normals[corner.normal].as_vec3()).unwrap_or_default();
     Loaded {
-        model: model.expect("it is one of ours"),
+        model: sound(model),
         normals: mesh.triangles.iter().map(|corners| corners.map(normal)).collect(),
         texture,
         wrap,
@@ -53,8 +68,7 @@ fn loaded(mesh: &Mesh, texture: Image, wrap: Wrap) -> Loaded {
 }
 
 /// The head's mesh: its lists, each after how many are in it.
-fn unpacked() -> Mesh {
-    let mut rest = Rest(HEAD);
+fn unpacked(rest: &mut Rest) -> Mesh {
     let positions = rest.list(|rest| DVec3::from_array(rest.numbers()));
     let uvs = rest.list(|rest| DVec2::from_array(rest.numbers()));
     let normals = rest.list(|rest| DVec3::from_array(rest.numbers()));
@@ -98,9 +112,9 @@ impl Rest<'_> {
 
 /// The head's texture, made smaller. It is packed as graphics hardware has it (BC1): each block of 4×4 texels has two colours
 /// of 16 bits, and of each texel two bits say which of the four it has that divide the way between them into three.
-fn texture() -> Image {
+fn texture(packed: &[u8]) -> Image {
     let mut image = Image::new(SIDE, SIDE, Format::Rgb);
-    for (block, (x, y)) in TEXTURE.as_chunks::<8>().0.iter().zip(places()) {
+    for (block, (x, y)) in packed.as_chunks::<8>().0.iter().zip(places()) {
         let &[a, b, c, d, ref bits @ ..] = block;
         let colors = between([[a, b], [c, d]].map(u16::from_le_bytes));
         let bits = u32::from_le_bytes(*bits);
@@ -154,7 +168,8 @@ mod tests {
 
     #[test]
     fn the_texture_is_the_courses() {
-        let (original, unpacked) = (Image::read(&course("head.tga")).unwrap().scale(SIDE, SIDE), texture());
+        let (original, unpacked) =
+            (Image::read(&course("head.tga")).unwrap().scale(SIDE, SIDE), head().texture);
         let difference = |((_, _, a), (_, _, b)): ((i32, i32, Color), (i32, i32, Color))| distance(a, b);
         let sum: f32 = original.pixels().zip(unpacked.pixels()).map(difference).sum();
         let mean = sum / f32::from(SIDE).powi(2);
@@ -165,10 +180,10 @@ mod tests {
     #[ignore = "writes what is packed"]
     fn pack() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("packed");
-        std::fs::write(folder.join("head.bin"), packed(&assets::head::low_model())).unwrap();
+        let mut all = packed(&assets::head::low_model());
         let image = Image::read(&course("head.tga")).unwrap().scale(SIDE, SIDE);
-        let blocks: Vec<u8> = places().flat_map(|place| block(&image, place)).collect();
-        std::fs::write(folder.join("texture.bin"), blocks).unwrap();
+        all.extend(places().flat_map(|place| block(&image, place)));
+        std::fs::write(folder.join("head.bin"), all).unwrap();
     }
 
     fn packed(mesh: &Mesh) -> Vec<u8> {

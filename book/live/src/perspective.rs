@@ -1,9 +1,11 @@
 //! Lesson 10: a true camera.
 
 use common::{Color, Format, Image, Method, Vec2, Vec3, Vec4};
+use perspective::interpolation::Interpolation;
 use perspective::{METHODS, frustum, window};
 
 use crate::view::beside;
+use crate::ways::{WAYS, Way};
 use crate::{Drawing, Figure, Input, Values, View, number};
 
 /// A floor of two triangles by two ways to interpolate.
@@ -26,8 +28,7 @@ const TILES: [Color; 2] = [Color::rgb(0xf2, 0xc1, 0x4e), Color::rgb(0x00, 0x72, 
 
 fn floor(mut values: Values) -> View {
     let r = values.number();
-    let method = values.choice(METHODS);
-    let per_pixel = Method::find(METHODS, "per-pixel").expect("it is one of the lesson's");
+    let method = values.choice(WAYS);
     // The floor is 1 below the eye, from the depth 1 to r, and 2 wide.
     let to_clip = frustum(-0.102, 0.102, -0.102, -0.004, 0.1, 100.0).unwrap_or_default();
     let size = Vec2::from_array(SIZE.map(f32::from));
@@ -36,17 +37,14 @@ fn floor(mut values: Values) -> View {
         window(to_clip * Vec3::new(x, -1.0, -depth).extend(1.0), size).unwrap_or(Vec4::ZERO)
     });
     let uvs = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
-    let [left, right] = [method, per_pixel].map(|method| {
+    let [left, right] = [method.run, Way::PerPixel].map(|way| {
         let mut found = vec![None; usize::from(SIZE[0]) * usize::from(SIZE[1])];
         for half in [[0, 1, 2], [0, 2, 3]] {
-            (method.run.visit)(
-                half.map(|n| corners[n]),
-                half.map(|n| uvs[n]),
-                canvas().bounds(),
-                &mut |x, y, _, uv| {
-                    found[y as usize * usize::from(SIZE[0]) + x as usize] = Some(uv);
-                },
-            );
+            // With a brightness, which the head has, the code is the same.
+            let varyings = half.map(|n| (uvs[n], 0.0));
+            way.fill(half.map(|n| corners[n]), varyings, canvas().bounds(), |x: i32, y: i32, _, (uv, _)| {
+                found[y as usize * usize::from(SIZE[0]) + x as usize] = Some(uv);
+            });
         }
         found
     });

@@ -3,29 +3,18 @@
 
 use std::sync::{Arc, LazyLock, Mutex};
 
-use antialiasing::canvas::{Canvas, render_with};
-use antialiasing::multisampled::Multisampled;
-use antialiasing::resolve;
-use antialiasing::storage::Samples;
-use blending::compare::Compare;
-use blending::translucent::Translucent;
-use blending::{DepthTest, Over, State, TwoShift};
-use clipping::Counts;
-use clipping::render::Vertices;
-use common::{Color, Image, Method, Vec2, Vec3, Vec4};
+use common::{Color, Method, Vec2, Vec3};
 use filtering::MIPMAPS;
-use filtering::footprint::Gradients;
+use live_loops::looks::FewLooks;
 use perspective::scene::Loaded;
-use scene::lamps::Lamps;
 use scene::levels::{Sizes, spheres};
-use scene::render::Frame;
-use scene::shader::{AtPixels, Base, Look, Textured};
 use scene::version_11::{GROUND, VERSION, lit};
-use scene::{Entity, Levels, METHODS, Mesh, Orbit, Paint, Renderer, Scene, Shape, Target, render_scene};
-use shaders::shader::Fragment;
+use scene::{Entity, Levels, METHODS, Mesh, Orbit, Paint, Scene, Shape, Target, render_scene};
+use sheet::short;
 use transforms::inverse::rigid;
 
 use crate::head::{self, HEAD, method};
+use crate::input::named;
 use crate::{Figure, Input, Values, View, packed};
 
 /// Width and height of the picture.
@@ -42,80 +31,6 @@ pub(crate) const SCENE: Figure = Figure {
     ],
     draw,
 };
-
-/// The lesson's renderer, for surfaces that have one colour or a texture and are lit at the pixels: two loops, where the lesson
-/// has one for each look.
-struct FewLooks;
-
-impl Renderer for FewLooks {
-    fn draw(&mut self, frame: &Frame, picture: &mut Image) -> Counts {
-        let mut lamps = Lamps::default();
-        lamps.set(&frame.scene.lights);
-        let mut canvas = Multisampled::<1, Samples<1>>::new([SIDE.into(); 2]);
-        canvas.clear(frame.scene.background, false);
-        let mut counts = Counts::default();
-        for pass in frame.passes() {
-            let mesh = pass.mesh;
-            let base = match mesh.paint() {
-                &Paint::Color(color) => Surface::Plain(color),
-                Paint::Texture(texture) => {
-                    let (filter, size) = (frame.scene.style.filter, picture.size());
-                    Surface::Textured(Textured { texture, uvs: mesh.uvs(), filter, size })
-                }
-                Paint::Colors(_) => unreachable!("nothing here has a colour for each vertex"),
-            };
-            let look = Look { mesh, to_clip: pass.to_clip, base, lighting: AtPixels(pass.placed(&lamps)) };
-            counts += match pass.alpha {
-                None => {
-                    let mut vertices = Vertices::default();
-                    render_with(&mut vertices, &look, mesh.assembled(), pass.cull, State::OFF, &mut canvas)
-                }
-                Some(alpha) => {
-                    let shader = Translucent { shader: look, alpha, vertices: () };
-                    let depth = DepthTest { function: Compare::Less, write: false };
-                    let blend = Over::<TwoShift>::default();
-                    let state = State { scissor: (), stencil: (), depth, blend, mask: () };
-                    let mut vertices = Vertices::default();
-                    render_with(&mut vertices, &shader, mesh.assembled(), pass.cull, state, &mut canvas)
-                }
-            };
-        }
-        canvas.resolve(resolve, picture);
-        counts
-    }
-}
-
-/// Where a surface's colours come from.
-enum Surface<'a> {
-    Plain(Color),
-    Textured(Textured<'a>),
-}
-
-impl Base for Surface<'_> {
-    type Constant = Option<Gradients>;
-    type Varying = Vec2;
-
-    fn triangle(&self, vertices: [usize; 3], clip: impl FnOnce() -> [Vec4; 3]) -> Option<Gradients> {
-        match self {
-            Self::Plain(_) => None,
-            Self::Textured(textured) => textured.triangle(vertices, clip),
-        }
-    }
-
-    fn vertex(&self, vertex: usize) -> Vec2 {
-        match self {
-            Self::Plain(_) => Vec2::ZERO,
-            Self::Textured(textured) => textured.vertex(vertex),
-        }
-    }
-
-    fn color(&self, gradients: Option<Gradients>, fragment: Fragment<Vec2>) -> Color {
-        match self {
-            Self::Plain(color) => *color,
-            Self::Textured(textured) => textured.color(gradients, fragment),
-        }
-    }
-}
 
 /// A model with its texture and the levels of that.
 fn textured(loaded: &Loaded, wrap: filtering::Wrap) -> Arc<Levels> {
@@ -151,17 +66,20 @@ static KEPT: Mutex<Option<(&str, Scene)>> = Mutex::new(None);
 fn draw(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
     let distance = values.number();
-    let method = values.choice(METHODS);
+    let method = values.choice(named!(METHODS));
     let mut kept = KEPT.lock().expect("no drawing fails");
     let (_, scene) = match kept.take() {
         Some((name, scene)) if name == method.name => kept.insert((name, scene)),
         _ => kept.insert((method.name, scene(method.run))),
     };
-    let mut target = Target::with(Box::new(FewLooks), SIDE, SIDE);
+    // No wireframe is asked for, and what draws one would be loaded with the page.
+    let mut target = Target::with_both([Box::new(FewLooks), Box::new(FewLooks)], SIDE, SIDE);
     let counts = seen(scene, turn, distance, &mut target);
     let rest = format!(
-        "the eye is {distance} away; entities outside: {}, triangles filled: {}",
-        counts.outside, counts.triangles.filled
+        "the eye is {} away; entities outside: {}, triangles filled: {}",
+        short(distance),
+        counts.outside,
+        counts.triangles.filled,
     );
     head::view(target.into_picture(), method.name, "the scene", turn, &rest)
 }

@@ -2,25 +2,28 @@
 
 use std::sync::LazyLock;
 
-use blending::scene::{Entity, draw_by};
-use blending::{Over, TRANSPARENCY, TwoShift};
+use blending::TRANSPARENCY;
+use blending::scene::Entity;
 use clipping::{Counts, Cull};
 use common::{Image, Mat4, Method, Vec3};
 use filtering::MIPMAPS;
 use filtering::scene::Filterable;
 use lighting::{PointLight, Scene};
-use perspective::interpolation::{Affine, Every, Interpolation, PerPixel};
+use live_loops::filters::{self, AnyFilter};
+use live_loops::layers;
+use live_loops::lights::{self, MAKES, Make};
 use perspective::lighting::Clamped;
 use perspective::scene::Loaded;
 use perspective::{Framebuffer, Planes, perspective, render, view};
 use shaders::source::Texture;
 use shaders::{Lit, Uniforms};
+use sheet::fixed;
 use transforms::affine::euler;
 
-use crate::filters::FILTERS;
 use crate::head::{self, HEAD, canvas, eye, method};
-use crate::input::with;
+use crate::input::{named, with};
 use crate::kept::{self, Kept};
+use crate::ways::{WAYS, Way};
 use crate::{Figure, Input, Values, View, packed};
 
 /// Where a camera is: what it looks at, from how far, and its field of view.
@@ -49,41 +52,37 @@ pub(crate) const PERSPECTIVE: Figure = Figure {
     hint: "Take the eye around by dragging, or by the sliders. Choose how to interpolate, and what is kept as depth.",
     inputs: &[
         Input::Turn { from: [-18.0, 3.0] },
-        Input::Choice { label: "Interpolation", rows: || Method::rows(INTERPOLATIONS), from: "per-pixel" },
-        Input::Choice { label: "Depths", rows: || Method::rows(kept::DEPTHS), from: "z-f32" },
+        Input::Choice {
+            label: "Interpolation",
+            rows: || Method::rows(perspective::METHODS),
+            from: "per-pixel",
+        },
+        Input::Choice { label: "Depths", rows: || Method::rows(perspective::DEPTHS), from: "z-f32" },
     ],
     draw: in_perspective,
 };
 
 fn in_perspective(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
-    let way = values.choice(INTERPOLATIONS);
+    let way = values.choice(WAYS);
     let keep = values.choice(kept::DEPTHS);
     let (to_clip, _) = camera((Vec3::new(0.0, -0.1, 0.0), 3.6, 45.0), turn);
     let light = Vec3::new(0.5, 0.8, 0.9).normalize();
     let uniforms: [Uniforms; 2] = [&*HEAD, &*FLOOR].map(|loaded| loaded.uniforms(light, to_clip));
     let mut image = canvas(SIDE);
-    let left_out = (way.run)(&uniforms, (keep.run)(PLANES), &mut image);
+    let left_out = interpolated(&uniforms, way.run, (keep.run)(PLANES), &mut image);
     let rest = format!("triangles left out since they reach behind the eye: {left_out}");
     head::view(image, &format!("{}, {}", way.name, keep.name), "head and floor", turn, &rest)
 }
 
 /// Draws models as lesson 10 does, and returns how many triangles are left out.
-type Interpolated = fn(&[Uniforms], Kept, &mut Image) -> usize;
-
-/// Lesson 10's ways to interpolate, each with one loop for all depths.
-const INTERPOLATIONS: &[Method<Interpolated>] = &with(
-    perspective::METHODS,
-    [interpolated::<Affine>, interpolated::<Every<16>>, interpolated::<Every<8>>, interpolated::<PerPixel>],
-);
-
-fn interpolated<I: Interpolation>(models: &[Uniforms], depth: Kept, image: &mut Image) -> usize {
+fn interpolated(models: &[Uniforms], way: Way, depth: Kept, image: &mut Image) -> usize {
     let mut target = Framebuffer::new(image, depth);
     let mut left_out = 0;
     for uniforms in models {
         let (vertices, triangles) = (uniforms.model.positions().len(), uniforms.model.triangles());
         let shader = Lit::new(*uniforms, Texture, Clamped);
-        left_out += render(&shader, vertices, triangles, I::default(), depth, &mut target);
+        left_out += render(&shader, vertices, triangles, way, depth, &mut target);
     }
     left_out
 }
@@ -109,7 +108,7 @@ pub(crate) const CLIPPING: Figure = Figure {
 
 fn clipped(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
-    let method = values.choice(clipping::METHODS);
+    let method = values.choice(named!(clipping::METHODS));
     let (to_clip, _) = camera((Vec3::new(0.0, -0.2, 0.0), 3.07, 45.0), turn);
     let light = Vec3::new(0.4, 0.8, 0.8).normalize();
     let models = SCENE.each_ref().map(|model| (model.surface(light, to_clip).uniforms, model.mesh()));
@@ -119,6 +118,9 @@ fn clipped(mut values: Values) -> View {
     let rest = format!("triangles left out: {left_out}, cut: {cut}, filled: {filled}");
     head::view(image, method.name, "head and floor", turn, &rest)
 }
+
+/// Lesson 12's methods.
+const LIGHTS: &[Method<Make>] = &with(lighting::METHODS, MAKES);
 
 /// Lesson 12's head.
 pub(crate) const LIGHTING: Figure = Figure {
@@ -131,21 +133,33 @@ pub(crate) const LIGHTING: Figure = Figure {
 
 fn lit(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
-    let method = values.choice(lighting::METHODS);
+    let method = values.choice(LIGHTS);
     let (camera, eye) = camera((Vec3::new(0.0, 0.12, 0.0), 2.4, 45.0), [-13.0, 5.0]);
     let to_world = Mat4::from_mat3(euler(Vec3::new(turn[1], turn[0], 0.0)));
     let scene = Scene::placed(&HEAD, to_world, camera, eye, PointLight::default()).expect("it is not flat");
     let mut image = canvas(SIDE);
-    let counts = (method.run)(&scene, SCENE[0].mesh(), Cull::Back, &mut image).counts;
+    let counts = lights::draw(&scene, method.run, SCENE[0].mesh(), &mut image);
     head::view(image, method.name, "the head", turn, &format!("triangles filled: {}", counts.filled))
 }
+
+/// Lesson 13's methods.
+const FILTERS: &[Method<AnyFilter>] = &with(
+    filtering::METHODS,
+    [
+        AnyFilter::Nearest,
+        AnyFilter::Bilinear,
+        AnyFilter::Bilinear8,
+        AnyFilter::Trilinear,
+        AnyFilter::Anisotropic,
+    ],
+);
 
 /// Lesson 13's head.
 pub(crate) const FILTERING: Figure = Figure {
     name: "filtering-head",
     stays: true,
     hint: "Take the eye around by dragging, or by the sliders. Choose another method.",
-    inputs: &[Input::Turn { from: [-31.0, 8.0] }, method(|| Method::rows(FILTERS), "trilinear")],
+    inputs: &[Input::Turn { from: [-31.0, 8.0] }, method(|| Method::rows(filtering::METHODS), "trilinear")],
     draw: filtered,
 };
 
@@ -156,7 +170,7 @@ fn filtered(mut values: Values) -> View {
     let light = Vec3::new(0.4, 0.8, 0.8).normalize();
     let surfaces = SCENE.each_ref().map(|model| model.surface(light, to_clip));
     let mut image = canvas(SIDE);
-    let counts = filtering::draw(&surfaces, method.run, Cull::Back, &mut image).counts;
+    let counts = filters::draw(&surfaces, method.run, &mut image);
     let rest = format!("triangles filled: {}", counts.filled);
     head::view(image, method.name, "head and floor", turn, &rest)
 }
@@ -178,41 +192,69 @@ pub(crate) const BLENDING: Figure = Figure {
 fn blended(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
     let alpha = values.number();
-    let method = values.choice(TRANSPARENCY);
+    let method = values.choice(named!(TRANSPARENCY));
     let (to_clip, eye) = camera((Vec3::new(0.0, -0.1, 0.0), 3.6, 45.0), turn);
     let view = blending::scene::View { to_clip, eye, light: PointLight::default() };
     let [head, slabs] = &*SCENE;
     let entity = |model, alpha| Entity { model, to_world: Mat4::IDENTITY, alpha };
-    let entities = [entity(slabs, 1.0), entity(head, alpha)];
+    let entities = [&entity(slabs, 1.0), &entity(head, alpha)];
     let mut image = canvas(200);
-    let Counts { filled, .. } =
-        draw_by(method.run, &entities, &view, Cull::None, Over(TwoShift), &mut image).counts;
-    let rest = format!("the head's alpha is {alpha:.1}; triangles filled: {filled}");
+    let Counts { filled, .. } = layers::draw(method.run, entities, &view, &mut image);
+    let rest = format!("the head's alpha is {}; triangles filled: {filled}", fixed(alpha, 1));
     head::view(image, method.name, "head and floor", turn, &rest)
 }
 
 #[cfg(test)]
 mod tests {
+    use blending::scene::draw_by;
+    use blending::{Over, TwoShift};
+
     use super::*;
 
     #[test]
     fn scenes_are_as_the_lessons_draw_them() {
         let (to_clip, _) = camera((Vec3::ZERO, 3.6, 45.0), [-18.0, 3.0]);
         let uniforms = [&*HEAD, &*FLOOR].map(|loaded| loaded.uniforms(Vec3::Z, to_clip));
-        for (own, way) in INTERPOLATIONS.iter().zip(perspective::METHODS) {
+        for (own, way) in WAYS.iter().zip(perspective::METHODS) {
             for (kept, keep) in kept::DEPTHS.iter().zip(perspective::DEPTHS) {
                 let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
-                (own.run)(&uniforms, (kept.run)(PLANES), &mut drawn);
+                interpolated(&uniforms, own.run, (kept.run)(PLANES), &mut drawn);
                 (way.run.draw)(&keep.run)(&uniforms, PLANES, &mut meant);
                 assert!(drawn == meant, "{}, {}", own.name, kept.name);
             }
         }
+        let scene = Scene::placed(&HEAD, Mat4::IDENTITY, to_clip, Vec3::Z, PointLight::default()).unwrap();
+        for (own, lesson) in LIGHTS.iter().zip(lighting::METHODS) {
+            let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
+            lights::draw(&scene, own.run, SCENE[0].mesh(), &mut drawn);
+            (lesson.run)(&scene, SCENE[0].mesh(), Cull::Back, &mut meant);
+            assert!(drawn == meant, "{}", own.name);
+        }
         let surfaces = SCENE.each_ref().map(|model| model.surface(Vec3::Z, to_clip));
         for (own, lesson) in FILTERS.iter().zip(filtering::METHODS) {
             let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
-            filtering::draw(&surfaces, own.run, Cull::Back, &mut drawn);
+            filters::draw(&surfaces, own.run, &mut drawn);
             (lesson.run.draw)(&surfaces, Cull::Back, &mut meant);
             assert!(drawn == meant, "{}", own.name);
+        }
+    }
+
+    #[test]
+    fn layers_are_as_the_lesson_draws_them() {
+        let (to_clip, eye) = camera((Vec3::new(0.0, -0.1, 0.0), 3.6, 45.0), [-31.0, 8.0]);
+        let view = blending::scene::View { to_clip, eye, light: PointLight::default() };
+        let [head, slabs] = &*SCENE;
+        let entities = [(slabs, 1.0), (head, 0.5)].map(|(model, alpha)| Entity {
+            model,
+            to_world: Mat4::IDENTITY,
+            alpha,
+        });
+        for method in TRANSPARENCY {
+            let [mut drawn, mut meant] = [canvas(100), canvas(100)];
+            let counts = layers::draw(method.run, entities.each_ref(), &view, &mut drawn);
+            let lesson = draw_by(method.run, &entities, &view, Cull::None, Over(TwoShift), &mut meant).counts;
+            assert_eq!(counts, lesson, "{}", method.name);
+            assert!(drawn == meant, "{}", method.name);
         }
     }
 }

@@ -1,10 +1,18 @@
 //! Lesson 5: colour from a picture.
 
-use common::{Color, Format, Image, Vec2};
+use common::{Color, Format, Image, Method, Vec2};
 use sheet::{AMBER, BLACK, BLUE, FAINT, Ink, MINT, ORANGE, ROSE, SKY, Sheet};
-use textures::METHODS;
+use textures::{repeat, round, texel, truncate};
 
+use crate::input::with;
 use crate::{Drawing, Figure, Input, Values, View, number};
+
+/// Finds the texel of (u, v).
+type Sample = fn(&Image, Vec2) -> Color;
+
+/// The lesson's table without its loops: the head has one for all.
+pub(crate) const SAMPLERS: &[Method<Sample>] =
+    &with::<_, Sample, 4>(textures::METHODS, [truncate, round, texel, repeat]);
 
 /// What the methods find along a row of four texels.
 pub(crate) const STRIPS: Figure = Figure {
@@ -31,10 +39,10 @@ pub fn strips() -> Sheet {
     const INKS: [Ink; 4] = [SKY, AMBER, MINT, ROSE];
     let row = row();
     let mut sheet = Sheet::new((-0.92, -0.25), (1.56, 1.62));
-    for (n, method) in METHODS.iter().enumerate() {
+    for (n, method) in SAMPLERS.iter().enumerate() {
         let low = low_of(n);
         let at = |step: i32| step as f32 / (4 * STEPS) as f32;
-        let found = |step: i32| (method.run.sample)(&row, Vec2::new(at(step) + at(1) / 2.0, 0.25)).r;
+        let found = |step: i32| (method.run)(&row, Vec2::new(at(step) + at(1) / 2.0, 0.25)).r;
         let (first, end) = (-2 * STEPS, 6 * STEPS);
         let mut begin = first;
         for step in first..end {
@@ -69,14 +77,14 @@ fn looked_up(mut values: Values) -> View {
     let row = row();
     let mut sheet = strips();
     sheet.line((u, -0.02), (u, 1.6), BLUE, 3.0);
-    let found = |(n, method): (usize, &common::Method<textures::Sampler>)| {
+    let found = |(n, method): (usize, &Method<Sample>)| {
         sheet.dot((u, low_of(n)), BLUE);
-        match (method.run.sample)(&row, Vec2::new(u, 0.25)).r {
+        match (method.run)(&row, Vec2::new(u, 0.25)).r {
             0 => format!("none by {}", method.name),
             texel => format!("{} by {}", texel - 1, method.name),
         }
     };
-    let found: Vec<String> = METHODS.iter().enumerate().map(found).collect();
+    let found: Vec<String> = SAMPLERS.iter().enumerate().map(found).collect();
     let told = format!(
         "u = {} is at {} of the texture's 4 texels. What is found there: texel {}.",
         number(u),

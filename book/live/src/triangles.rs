@@ -6,6 +6,7 @@ use triangles::barycentric::weights;
 use triangles::edges::Setup;
 
 use crate::few::Few;
+use crate::input::named;
 use crate::{Drawing, Figure, Input, Values, View, number};
 
 /// A point and the three areas that it makes with the sides.
@@ -152,7 +153,7 @@ fn owned(corners: [Vec2; 3], rule: Rule) -> Vec<IVec2> {
 
 fn top_left(mut values: Values) -> View {
     let [a, b, c, d] = [values.point(), values.point(), values.point(), values.point()];
-    let rule = values.choice(RULES);
+    let rule = values.choice(named!(RULES));
     let halves = [[a, b, c], [a, c, d]];
     let [first, second] = halves.map(|half| owned(half, rule.run));
     let [ours, theirs] = halves.map(|half| owned(half, RULES[2].run));

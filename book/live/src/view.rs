@@ -30,7 +30,9 @@ pub struct Rendered {
 }
 
 impl Rendered {
-    pub(crate) fn of(view: View) -> Self {
+    /// Of a view.
+    #[must_use]
+    pub fn of(view: View) -> Self {
         let table: Vec<String> = view.table.iter().map(|row| row.join("\t")).collect();
         let (drawing, numbers) = match view.drawing {
             Drawing::Sheet(sheet) => {

@@ -4,6 +4,7 @@ use common::{Color, Format, Image, Vec3};
 use triangles::fill;
 use zbuffer::{METHODS, Surface};
 
+use crate::input::named;
 use crate::view::beside;
 use crate::{Drawing, Figure, Input, Values, View, number};
 
@@ -53,7 +54,7 @@ impl Pair {
     fn compared(&self, with_depths: bool) -> (Image, String) {
         let shared = self.shared();
         let (mut pictures, mut depths, mut counts) = (Vec::new(), Vec::new(), Vec::new());
-        for (method, depth) in METHODS.iter().filter_map(|method| Some((method, method.run.depth?))) {
+        for (method, depth) in named!(METHODS).iter().filter_map(|method| Some((method, method.run.depth?))) {
             let mut picture = self.canvas();
             (method.run.draw)(&self.surfaces, &mut picture);
             let pixels = (0..picture.height()).flat_map(|y| (0..picture.width()).map(move |x| (x, y)));

@@ -7,16 +7,22 @@
 //! A sheet is written as a file of its own, whose shades follow the page that shows it, or as a part of a page
 //! ([`Sheet::inline`]), which has the shades in its style ([`shades`]).
 
-use std::fmt;
+use std::fmt::{self, Write};
 
 use common::Vec2;
-use svg::Document;
-use svg::node::element::{Circle, Line, Path, Polygon, Polyline, Rectangle, Style, Text};
 
 /// Width of every sheet.
 const WIDTH: f32 = 480.0;
 /// Height of letters.
 const LETTER: f32 = 16.0;
+/// The namespace of elements.
+const SVG: &str = "http://www.w3.org/2000/svg";
+/// What letters are taken from.
+const FONTS: &str = "'Source Sans 3', 'Open Sans', 'Noto Sans', Helvetica, Arial, sans-serif";
+/// Ends and corners of lines.
+const ROUND: &str = r#"stroke-linecap="round" stroke-linejoin="round""#;
+/// The rim of letters.
+const RIM: &str = r#"paint-order="stroke" stroke-opacity="0.7" stroke-width="3""#;
 /// Free border.
 const MARGIN: f32 = 14.0;
 /// No sheet is higher; what would be is made narrower instead.
@@ -85,9 +91,29 @@ pub fn has_dark_shade(color: &str) -> bool {
     DARK.iter().any(|(light, _)| *light == color)
 }
 
+/// A number with so many digits behind the point, as `{:.n}` writes those that an `i64` can hold. A page loads this code: what
+/// formats whole numbers is a tenth of what formats any.
+#[must_use]
+pub fn fixed(x: f32, digits: u32) -> String {
+    let unit = 10_i64.pow(digits);
+    // Exact: an f64 has room for the digits of both.
+    let all = (f64::from(x) * unit as f64).round_ties_even() as i64;
+    let sign = if all < 0 { "-" } else { "" };
+    let all = all.unsigned_abs();
+    let unit = unit.unsigned_abs();
+    format!("{sign}{}.{:0width$}", all / unit, all % unit, width = digits as usize)
+}
+
+/// A number with at most four digits behind the point, so that files stay small.
+#[must_use]
+pub fn short(x: f32) -> String {
+    fixed(x, 4).trim_end_matches('0').trim_end_matches('.').into()
+}
+
 /// A drawing, in which a rectangle of the plane can be seen.
 pub struct Sheet {
-    document: Document,
+    /// What is drawn, an element a line. It is written at once: a tree of elements would be more code than a page should load.
+    elements: String,
     low: Vec2,
     scale: f32,
     height: f32,
@@ -103,16 +129,10 @@ impl Sheet {
         // What is narrow stands in the middle.
         let low = low - Vec2::X * ((WIDTH - 2.0 * MARGIN) / scale - size.x) / 2.0;
         let height = ((high.y - low.y) * scale + 2.0 * MARGIN).ceil();
-        let ground =
-            Rectangle::new().set("width", WIDTH).set("height", height).set("rx", 8).set("fill", PAPER);
-        let document = Document::new()
-            .set("viewBox", (0, 0, WIDTH, height))
-            .set("font-family", "'Source Sans 3', 'Open Sans', 'Noto Sans', Helvetica, Arial, sans-serif")
-            .set("font-size", LETTER)
-            .set("stroke-linejoin", "round")
-            .set("stroke-linecap", "round")
-            .add(ground);
-        Self { document, low, scale, height }
+        let mut sheet = Self { elements: String::new(), low, scale, height };
+        let (width, height) = sheet.size();
+        sheet.add(format_args!(r#"<rect fill="{PAPER}" height="{height}" rx="8" width="{width}"/>"#));
+        sheet
     }
 
     /// Width and height in SVG's units.
@@ -134,7 +154,16 @@ impl Sheet {
     /// The drawing as a part of a page, without shades for a dark one.
     #[must_use]
     pub fn inline(&self) -> String {
-        self.document.to_string()
+        self.with("")
+    }
+
+    /// The drawing with one element more.
+    fn with(&self, last: &str) -> String {
+        let (elements, (width, height), letter) = (&self.elements, self.size(), short(LETTER));
+        format!(
+            r#"<svg font-family="{FONTS}" font-size="{letter}" {ROUND} viewBox="0 0 {width} {height}" xmlns="{SVG}">
+{elements}{last}</svg>"#
+        )
     }
 
     /// Where on the sheet a point is, to a hundredth of a unit, so that files stay small.
@@ -144,31 +173,25 @@ impl Sheet {
         (hundredth(MARGIN + at.x), hundredth(self.height - MARGIN - at.y))
     }
 
-    fn add(&mut self, node: impl svg::Node) {
-        svg::Node::append(&mut self.document, node);
+    fn add(&mut self, element: fmt::Arguments) {
+        writeln!(self.elements, "{element}").expect("a string takes all");
     }
 
     /// A line of a width in units of the sheet.
     pub fn line(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
-        let line = self.segment(from, to, ink, width);
-        self.add(line);
+        self.segment(self.at(from), self.at(to), ink, width, "");
     }
 
     /// A dashed line.
     pub fn dashed(&mut self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) {
-        let line = self.segment(from, to, ink, width).set("stroke-dasharray", "5 5");
-        self.add(line);
+        self.segment(self.at(from), self.at(to), ink, width, r#" stroke-dasharray="5 5""#);
     }
 
-    fn segment(&self, from: impl Into<Vec2>, to: impl Into<Vec2>, ink: Ink, width: f32) -> Line {
-        let ((x1, y1), (x2, y2)) = (self.at(from), self.at(to));
-        Line::new()
-            .set("x1", x1)
-            .set("y1", y1)
-            .set("x2", x2)
-            .set("y2", y2)
-            .set("stroke", ink)
-            .set("stroke-width", width)
+    fn segment(&mut self, from: (f32, f32), to: (f32, f32), ink: Ink, width: f32, dashes: &str) {
+        let [x1, y1, x2, y2, width] = [from.0, from.1, to.0, to.1, width].map(short);
+        self.add(format_args!(
+            r#"<line stroke="{ink}"{dashes} stroke-width="{width}" x1="{x1}" x2="{x2}" y1="{y1}" y2="{y2}"/>"#
+        ));
     }
 
     /// A vector: a line with a point at its end.
@@ -183,14 +206,10 @@ impl Sheet {
 
     /// A filled area with an outline; either may be `none`.
     pub fn polygon(&mut self, corners: &[Vec2], fill: Ink, outline: Ink) {
-        let points: Vec<String> = corners.iter().map(|&corner| pair(self.at(corner))).collect();
-        self.add(
-            Polygon::new()
-                .set("points", points.join(" "))
-                .set("fill", fill)
-                .set("stroke", outline)
-                .set("stroke-width", 1.8),
-        );
+        let points = self.points(corners);
+        self.add(format_args!(
+            r#"<polygon fill="{fill}" points="{points}" stroke="{outline}" stroke-width="1.8"/>"#
+        ));
     }
 
     /// A rectangle whose sides are level and upright, filled as [`polygon`](Self::polygon) is.
@@ -218,14 +237,17 @@ impl Sheet {
     where
         P: Into<Vec2>,
     {
-        let points: Vec<String> = points.into_iter().map(|point| pair(self.at(point))).collect();
-        self.add(
-            Polyline::new()
-                .set("points", points.join(" "))
-                .set("fill", "none")
-                .set("stroke", ink)
-                .set("stroke-width", width),
-        );
+        let points: Vec<Vec2> = points.into_iter().map(P::into).collect();
+        let (points, width) = (self.points(&points), short(width));
+        self.add(format_args!(
+            r#"<polyline fill="none" points="{points}" stroke="{ink}" stroke-width="{width}"/>"#
+        ));
+    }
+
+    /// Where points are on the sheet.
+    fn points(&self, points: &[Vec2]) -> String {
+        let points: Vec<String> = points.iter().map(|&point| pair(self.at(point))).collect();
+        points.join(" ")
     }
 
     /// The arc about a point from one angle to another, counterclockwise, in radians.
@@ -233,31 +255,25 @@ impl Sheet {
         let center = center.into();
         let rim = |angle: f32| pair(self.at(center + radius * Vec2::from_angle(angle)));
         let (r, large) = (radius * self.scale, i32::from(to - from > std::f32::consts::PI));
-        let d = format!("M {} A {r:.2} {r:.2} 0 {large} 0 {}", rim(from), rim(to));
-        self.add(Path::new().set("d", d).set("fill", "none").set("stroke", ink).set("stroke-width", 1.8));
+        let (r, from, to) = (fixed(r, 2), rim(from), rim(to));
+        self.add(format_args!(
+            r#"<path d="M {from} A {r} {r} 0 {large} 0 {to}" fill="none" stroke="{ink}" stroke-width="1.8"/>"#
+        ));
     }
 
     /// A point.
     pub fn dot(&mut self, at: impl Into<Vec2>, ink: Ink) {
-        let (cx, cy) = self.at(at);
-        self.add(
-            Circle::new().set("cx", cx).set("cy", cy).set("r", 4.5).set("fill", ink).set("stroke", PAPER),
-        );
+        let [cx, cy] = <[f32; 2]>::from(self.at(at)).map(short);
+        self.add(format_args!(r#"<circle cx="{cx}" cy="{cy}" fill="{ink}" r="4.5" stroke="{PAPER}"/>"#));
     }
 
     /// The square of a pixel, given by its bottom-left corner.
     pub fn pixel(&mut self, x: i32, y: i32, fill: Ink) {
         let (left, bottom) = self.at(Vec2::new(x as f32, y as f32));
-        self.add(
-            Rectangle::new()
-                .set("x", left)
-                .set("y", bottom - self.scale)
-                .set("width", self.scale)
-                .set("height", self.scale)
-                .set("fill", fill)
-                .set("stroke", PAPER)
-                .set("stroke-width", 1),
-        );
+        let [left, top, scale] = [left, bottom - self.scale, self.scale].map(short);
+        self.add(format_args!(
+            r#"<rect fill="{fill}" height="{scale}" stroke="{PAPER}" stroke-width="1" width="{scale}" x="{left}" y="{top}"/>"#
+        ));
     }
 
     /// The squares of pixels of one colour.
@@ -294,17 +310,11 @@ impl Sheet {
     /// Words with a rim of the ground's colour, so that they read on lines as well.
     fn words(&mut self, at: impl Into<Vec2>, words: &str, ink: Ink, anchor: &str) {
         let (x, y) = self.at(at);
-        self.add(
-            Text::new(words)
-                .set("x", x)
-                .set("y", y + LETTER * 0.35)
-                .set("text-anchor", anchor)
-                .set("fill", ink)
-                .set("stroke", PAPER)
-                .set("stroke-width", 3)
-                .set("stroke-opacity", 0.7)
-                .set("paint-order", "stroke"),
-        );
+        let [x, y] = [x, y + LETTER * 0.35].map(short);
+        let words = words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        self.add(format_args!(
+            r#"<text fill="{ink}" {RIM} stroke="{PAPER}" text-anchor="{anchor}" x="{x}" y="{y}">{words}</text>"#
+        ));
     }
 
     /// The drawing, finished, as what a figure returns.
@@ -317,12 +327,30 @@ impl Sheet {
 }
 
 fn pair((x, y): (f32, f32)) -> String {
-    format!("{x} {y}")
+    format!("{} {}", short(x), short(y))
 }
 
 impl fmt::Display for Sheet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let shades = format!("@media(prefers-color-scheme:dark){{{}}}", shades(""));
-        self.document.clone().add(Style::new(shades)).fmt(f)
+        let style = format!("<style>\n@media(prefers-color-scheme:dark){{{}}}\n</style>\n", shades(""));
+        self.with(&style).fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_those_of_the_standard_library() {
+        let numbers = (-40_000..40_000).map(|n| n as f32 / 1024.0).chain([0.0005, 1e6, 123.456_79, -0.0004]);
+        for x in numbers {
+            for digits in 1..=4 {
+                let meant = format!("{x:.*}", digits as usize);
+                let zero = meant.trim_start_matches('-').trim_matches(['0', '.']).is_empty();
+                assert_eq!(fixed(x, digits), if zero { meant.replace('-', "") } else { meant }, "{x}");
+            }
+        }
+        assert_eq!([40.949_997, 480.0, -0.5, 0.0].map(short), ["40.95", "480", "-0.5", "0"]);
     }
 }

@@ -39,6 +39,7 @@ pub const LESSON: Lesson = Lesson {
 pub(crate) const FULL: u8 = 255;
 
 /// One method as two functions that share their code.
+#[derive(Clone, Copy)]
 pub struct Line {
     /// Draws the segment; compiled for just this, it is what gets timed.
     pub draw: fn(IVec2, IVec2, &mut Image, Color),

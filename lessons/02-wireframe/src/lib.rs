@@ -24,6 +24,7 @@ pub const LESSON: Lesson = Lesson {
 };
 
 /// One method as two functions that share their code.
+#[derive(Clone, Copy)]
 pub struct Wireframe {
     /// Draws a model's edges into a picture, in one colour.
     pub draw: fn(&Model, &mut Image, Color),

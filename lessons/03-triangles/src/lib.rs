@@ -36,6 +36,7 @@ pub const LESSON: Lesson = Lesson {
 };
 
 /// One method as two functions that share their code.
+#[derive(Clone, Copy)]
 pub struct Triangle {
     /// Colours the triangle's pixels; compiled for just this, it is what gets timed.
     pub draw: fn([Vec2; 3], &mut Image, Color),

@@ -41,6 +41,7 @@ pub struct Surface {
 }
 
 /// One method.
+#[derive(Clone, Copy)]
 pub struct Visibility {
     /// Draws the surfaces.
     pub draw: fn(&[Surface], &mut Image),

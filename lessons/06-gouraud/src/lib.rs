@@ -113,8 +113,7 @@ fn as_it_stands(size: Vec2) -> impl Fn(Vec3) -> Option<Vec3> {
     move |point| Some(to_screen(point, size))
 }
 
-/// Draws a textured scene. `shade` gives the brightness in a triangle, by its number and corners, as a
-/// function of the barycentric weights.
+/// As [`draw_sampled`], with the sample that the scene's texture has outside.
 fn draw<S: Fn(Vec3) -> f32>(
     scene: &Scene,
     image: &mut Image,
@@ -128,9 +127,10 @@ fn draw<S: Fn(Vec3) -> f32>(
     }
 }
 
-/// As [`draw`]; `sample` gives the texel of (u, v).
+/// Draws a textured scene, whose `sample` gives the texel of (u, v). `shade` gives the brightness in a triangle, by its number
+/// and corners, as a function of the barycentric weights; `place` puts a point into the picture or nowhere.
 // ANCHOR: draw
-fn draw_sampled<S: Fn(Vec3) -> f32>(
+pub fn draw_sampled<S: Fn(Vec3) -> f32>(
     scene: &Scene,
     image: &mut Image,
     place: impl Fn(Vec3) -> Option<Vec3>,

@@ -92,7 +92,7 @@ fn rows(corners: [Vec4; 3], bounds: Bounds) -> (i32, i32) {
     let heights = corners.map(|corner| (f64::from(corner.y) / f64::from(corner.w) + 1.0) * height / 2.0);
     let [low, high] = [f64::min, f64::max].map(|pick| heights.into_iter().reduce(pick).unwrap_or_default());
     // A row more on either side, for the rounding; the edges decide.
-    let row = |height: f64| height.clamp(-2.0, f64::from(bounds.max.y) + 2.0) as i32;
+    let row = |height: f64| (height as i32).clamp(-2, bounds.max.y + 2);
     (bounds.min.y.max(row(low.floor()) - 1), bounds.max.y.min(row(high.floor()) + 1))
 }
 
@@ -103,7 +103,7 @@ fn narrow(slope: f64, base: f64, width: f64, covers: impl Fn(i32) -> bool, first
     if first > last {
         return;
     }
-    let passes = ((1.0 - base / slope) * width / 2.0 - 0.5).clamp(f64::from(*first), f64::from(*last)) as i32;
+    let passes = (((1.0 - base / slope) * width / 2.0 - 0.5) as i32).clamp(*first, *last);
     if slope > 0.0 {
         *first = (passes..=*last).find(|&x| covers(x)).unwrap_or(*last + 1);
     } else if slope < 0.0 {

@@ -89,11 +89,8 @@ pub fn render_scene(scene: &Scene, target: &mut Target, projection: &Mat4, inver
     if camera.is_some() {
         enqueue(scene, &view, inverse_camera, *wireframe, queue, &mut counts);
     }
-    counts.triangles = if *wireframe {
-        draw_wires(scene, &view, queue, *antialiased, wires, picture)
-    } else {
-        renderer.draw(&Frame { scene, antialiased: *antialiased, view, queue }, picture)
-    };
+    let renderer = if *wireframe { wires } else { renderer };
+    counts.triangles = renderer.draw(&Frame { scene, antialiased: *antialiased, view, queue }, picture);
     counts
 }
 // ANCHOR_END: render_scene
@@ -133,25 +130,22 @@ fn enqueue(
 }
 // ANCHOR_END: enqueue
 
-fn draw_wires(
-    scene: &Scene,
-    view: &View,
-    queue: &[Queued],
-    smooth: bool,
-    wires: &mut Wires,
-    picture: &mut Image,
-) -> clipping::Counts {
-    picture.set_all(|_| scene.background);
-    scene.entities.iter().for_each(|entity| wires.reserve(entity.levels.finest()));
-    let mut counts = clipping::Counts::default();
-    for queued in queue {
-        let entity = &scene.entities[queued.entity];
-        let mesh = level(entity, view, &queued.bounds, WIRE_SHARE);
-        let to_clip = view.to_clip * queued.to_world;
-        let color = faded(mesh.mean(), entity.alpha);
-        counts += wires.draw(mesh, &to_clip, cull(scene, entity), color, smooth, picture);
+/// The sides of triangles, which are smooth where edges are.
+impl Renderer for Wires {
+    fn draw(&mut self, frame: &Frame, picture: &mut Image) -> clipping::Counts {
+        let &Frame { scene, antialiased, view, queue } = frame;
+        picture.set_all(|_| scene.background);
+        scene.entities.iter().for_each(|entity| self.reserve(entity.levels.finest()));
+        let mut counts = clipping::Counts::default();
+        for queued in queue {
+            let entity = &scene.entities[queued.entity];
+            let mesh = level(entity, &view, &queued.bounds, WIRE_SHARE);
+            let to_clip = view.to_clip * queued.to_world;
+            let color = faded(mesh.mean(), entity.alpha);
+            counts += self.mesh(mesh, &to_clip, cull(scene, entity), color, antialiased, picture);
+        }
+        counts
     }
-    counts
 }
 
 impl<'a> Frame<'a> {

@@ -34,7 +34,7 @@ pub struct Target {
     pub wireframe: bool,
     pub(crate) picture: Image,
     pub(crate) queue: Vec<Queued>,
-    pub(crate) wires: Wires,
+    pub(crate) wires: Box<dyn Renderer>,
     pub(crate) renderer: Box<dyn Renderer>,
 }
 
@@ -48,12 +48,18 @@ impl Target {
     /// The same for any renderer.
     #[must_use]
     pub fn with(renderer: Box<dyn Renderer>, width: u16, height: u16) -> Self {
+        Self::with_both([renderer, Box::<Wires>::default()], width, height)
+    }
+
+    /// The same with a renderer for wireframes as well.
+    #[must_use]
+    pub fn with_both([renderer, wires]: [Box<dyn Renderer>; 2], width: u16, height: u16) -> Self {
         Self {
             antialiased: false,
             wireframe: false,
             picture: Image::new(width, height, Format::Rgb),
             queue: Vec::new(),
-            wires: Wires::default(),
+            wires,
             renderer,
         }
     }

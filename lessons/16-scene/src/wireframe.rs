@@ -29,7 +29,7 @@ impl Wires {
     /// Draws each side of a mesh's triangles once, but for triangles that are left out for the side that they show. A colour's
     /// alpha counts; smooth lines are Wu's, others Bresenham's. A line ends in the pixels that its corners are in.
     // ANCHOR: wireframe
-    pub fn draw(
+    pub fn mesh(
         &mut self,
         mesh: &Mesh,
         to_clip: &Mat4,

@@ -1,11 +1,11 @@
-//! What a page calls of the figures that move: five functions for all of them, compiled to WebAssembly.
+//! What a page calls of the figures that move: six functions for all of them, compiled to WebAssembly.
 //!
 //! Numbers go in one by one; what was drawn comes out as bytes in the memory that the page can read. Only names are
 //! exported here, which the language calls unsafe; nothing else is.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use live::Rendered;
+use live::{Rendered, Values};
 
 /// What the inputs of the figure to be drawn are set to.
 static VALUES: Mutex<Vec<f64>> = Mutex::new(Vec::new());
@@ -22,11 +22,19 @@ pub extern "C" fn push(value: f64) {
     locked(&VALUES).push(value);
 }
 
-/// Draws the figure of that number in `live::FIGURES`, its inputs set to what was pushed, and forgets that.
+/// Takes what was pushed as the bytes of `live::HEAD`, before anything is drawn, and forgets that.
+#[unsafe(no_mangle)]
+pub extern "C" fn give() {
+    let values = std::mem::take(&mut *locked(&VALUES));
+    live::give(values.iter().map(|&byte| byte as u8).collect());
+}
+
+/// Draws the figure of that number in `live::FIGURES`, its inputs set to what was pushed, a number for each value and within its
+/// range, and forgets that.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(figure: usize) {
     let values = std::mem::take(&mut *locked(&VALUES));
-    *locked(&RENDERED) = live::FIGURES.get(figure).map(|figure| figure.render(&values));
+    *locked(&RENDERED) = live::DRAWINGS.get(figure).map(|draw| Rendered::of(draw(Values::new(&values))));
 }
 
 /// Where the bytes of a part begin, of those that `live::Rendered` lists, until something else is drawn.

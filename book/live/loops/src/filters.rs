@@ -1,31 +1,23 @@
 //! Lesson 13's filters, chosen when the program runs: one loop for all, where the lesson has one for each.
 
-use common::{Color, Method, Vec2};
+use clipping::{Counts, Cull};
+use common::{Color, Image, Vec2};
 use filtering::filter::{Anisotropic, Bilinear, Bilinear8, Filter, Nearest, Trilinear};
 use filtering::layout::Layout;
-use filtering::{Footprint, Texture};
+use filtering::{Footprint, Surface, Texture};
 
-use crate::input::with;
-
-/// The lesson's table.
-pub(crate) const FILTERS: &[Method<AnyFilter>] = &with(
-    filtering::METHODS,
-    [
-        AnyFilter::Nearest,
-        AnyFilter::Bilinear,
-        AnyFilter::Bilinear8,
-        AnyFilter::Trilinear,
-        AnyFilter::Anisotropic,
-    ],
-);
-
-/// Any of them.
+/// Any of the lesson's filters.
 #[derive(Clone, Copy)]
-pub(crate) enum AnyFilter {
+pub enum AnyFilter {
+    /// The texel that the pixel's centre is in.
     Nearest,
+    /// Four texels, mixed.
     Bilinear,
+    /// The same in whole numbers.
     Bilinear8,
+    /// Four texels of two levels each.
     Trilinear,
+    /// Several of these along the footprint.
     Anisotropic,
 }
 
@@ -42,4 +34,9 @@ impl Filter for AnyFilter {
             Self::Anisotropic => Anisotropic.color(texture, uv, footprint),
         }
     }
+}
+
+/// Draws models as lesson 13 does.
+pub fn draw(models: &[Surface], filter: AnyFilter, image: &mut Image) -> Counts {
+    filtering::draw(models, filter, Cull::Back, image).counts
 }
