@@ -2,9 +2,9 @@
 //!
 //! Which texels, and with which shares, is computed for eight at once, by lesson 13's operations in lesson 13's order; they are
 //! fetched and mixed one fragment after the other, since they lie anywhere. Their light is decoded once, when a texture is
-//! first drawn with, and not at each fetch: 16 bytes a texel in place of four, for a sixth less of a trilinear picture's time.
-//! Where lesson 13 asks whether a second level is needed at all, or whether four texels differ, both cost less here than a branch
-//! that a processor cannot foresee: between equal ones lies just the same, and a share of 0 changes nothing.
+//! first drawn with, and not at each fetch: 16 bytes a texel in place of four, which takes a sixth or more off a trilinear
+//! picture's time. Where lesson 13 asks whether a second level is needed at all, or whether four texels differ, both cost less
+//! here than a branch that a processor cannot foresee: between equal ones lies just the same, and a share of 0 changes nothing.
 
 use common::{Color, Vec2, Vec4};
 use fearless_simd::{Simd, f32x8, f64x8, i32x8, mask64x8, prelude::*, u32x8};
