@@ -39,11 +39,14 @@ const faults = [];
 const times = [];
 let stated = 0;
 const browser = await launch();
-for (const figure of figures) {
-    const page = pages.find((name) => readFileSync(join(book, name), "utf8").includes(`data-live="${figure.name}"`));
-    if (page) await check(figure, root + page).catch((error) => faults.push(`${figure.name}: ${error.message}`));
-    else if (!only) faults.push(`${figure.name}: no page has it`);
+const missing = new Set(figures);
+for (const page of pages) {
+    const text = readFileSync(join(book, page), "utf8");
+    const its = [...missing].filter(({ name }) => text.includes(`data-live="${name}"`));
+    its.forEach((figure) => missing.delete(figure));
+    if (its.length) await check(its, root + page).catch((error) => faults.push(`${page}: ${error.message}`));
 }
+if (!only) for (const { name } of missing) faults.push(`${name}: no page has it`);
 await browser.close();
 
 for (const fault of faults) console.error(fault);
@@ -51,63 +54,74 @@ console.log(`${times.length} figures that move, ${stated} states: ${faults.lengt
 for (const [name, time] of times) console.log(`${name}: ${time.toFixed(1)} ms a change (median)`);
 process.exit(faults.length ? 1 : 0);
 
-async function check(figure, address) {
-    const fault = (text) => faults.push(`${figure.name}: ${text}`);
-    if (!inFirefox) await withoutScript(figure, address, fault);
+/// The figures of a page, in two widths.
+async function check(its, address) {
+    if (!inFirefox) await withoutScript(its, address);
     for (const width of [1280, 390]) {
-        const touchscreen = width === 390 && !inFirefox;
-        const context = await browser.newContext({ viewport: { width, height: 900 }, hasTouch: touchscreen });
+        const context = await browser.newContext({ viewport: { width, height: 900 }, hasTouch: width === 390 && !inFirefox });
         const page = await context.newPage();
+        const fault = (text) => faults.push(`${address}: ${text}`);
         page.on("pageerror", (error) => fault(`script: ${error.message}`));
         page.on("request", (request) => request.url().startsWith(root) || request.url().startsWith("data:")
             || fault(`asks for ${request.url()}`));
         await page.goto(address);
-        const part = page.locator(`figure[data-live="${figure.name}"]`);
-        await part.locator(".live").waitFor({ timeout: 10_000 });
-        await part.scrollIntoViewIfNeeded();
-        if (await part.locator(":scope > img").isVisible() !== figure.stays) {
-            fault(`the still figure ${figure.stays ? "is gone" : "is there as well"}`);
-        }
-        await shoot(part, page, `${figure.name}-${width}`);
-        await dragged(figure, page, part, byMouse(page), fault);
-        if (touchscreen) {
-            const finger = await byFinger(page);
-            await dragged(figure, page, part, finger, fault);
-            await scrolled(page, part, finger, fault);
-        }
-        if (pictures) {
-            const [from, to] = await way(part.locator(grips[figure.inputs[0].kind]).first());
-            const hand = byMouse(page);
-            await hand.take(...from);
-            await hand.drag(from, to);
-            await hand.leave();
-            await shoot(part, page, `${figure.name}-${width}-dragged`);
-            await part.locator(".live-controls button").click();
-        }
-        await keyed(page, part, fault);
-        if (width === 1280) {
-            for (const state of states.filter((state) => state.figure === figure.name)) {
-                await page.evaluate(set, { figure, values: state.values });
-                await drawn(page);
-                const told = await part.locator(".live-told").textContent();
-                stated += 1;
-                if (told !== state.told) fault(`${state.values} tells\n  ${told}\nnot\n  ${state.told}`);
-            }
-            await measure(figure, page, fault);
-            if (!inFirefox) await page.emulateMedia({ media: "print" });
-            if (!inFirefox && !await part.locator(":scope > img").isVisible()) fault("is missing in print");
+        for (const figure of its) {
+            await moved(figure, page, width).catch((error) => faults.push(`${figure.name}: ${error.message}`));
         }
         await context.close();
     }
 }
 
-/// Without scripts the still figure is there.
-async function withoutScript(figure, address, fault) {
+/// A figure: moved in each way, it changes and returns; in the large window it is also set to each state and measured.
+async function moved(figure, page, width) {
+    const fault = (text) => faults.push(`${figure.name}: ${text}`);
+    const part = page.locator(`figure[data-live="${figure.name}"]`);
+    await part.locator(".live").waitFor({ timeout: 10_000 });
+    await part.scrollIntoViewIfNeeded();
+    if (await part.locator(":scope > img").isVisible() !== figure.stays) {
+        fault(`the still figure ${figure.stays ? "is gone" : "is there as well"}`);
+    }
+    await shoot(part, page, `${figure.name}-${width}`);
+    await dragged(figure, page, part, byMouse(page), fault);
+    if (width === 390 && !inFirefox) {
+        const finger = await byFinger(page);
+        await dragged(figure, page, part, finger, fault);
+        await scrolled(page, part, finger, fault);
+    }
+    if (pictures) {
+        const [from, to] = await way(part.locator(grips[figure.inputs[0].kind]).first());
+        const hand = byMouse(page);
+        await hand.take(...from);
+        await hand.drag(from, to);
+        await hand.leave();
+        await shoot(part, page, `${figure.name}-${width}-dragged`);
+        await part.locator(".live-controls button").click();
+    }
+    await keyed(page, part, fault);
+    if (width !== 1280) return;
+    for (const state of states.filter((state) => state.figure === figure.name)) {
+        await page.evaluate(set, { figure, values: state.values });
+        await drawn(page);
+        const told = await part.locator(".live-told").textContent();
+        stated += 1;
+        if (told !== state.told) fault(`${state.values} tells\n  ${told}\nnot\n  ${state.told}`);
+    }
+    await measure(figure, page, fault);
+    if (inFirefox) return;
+    await page.emulateMedia({ media: "print" });
+    if (!await part.locator(":scope > img").isVisible()) fault("is missing in print");
+    await page.emulateMedia({ media: "screen" });
+}
+
+/// Without scripts the still figures are there.
+async function withoutScript(its, address) {
     const context = await browser.newContext({ javaScriptEnabled: false });
     const page = await context.newPage();
     await page.goto(address);
-    const image = page.locator(`figure[data-live="${figure.name}"] > img`);
-    if (!await image.isVisible()) fault("without scripts there is nothing");
+    for (const { name } of its) {
+        const image = page.locator(`figure[data-live="${name}"] > img`);
+        if (!await image.isVisible()) faults.push(`${name}: without scripts there is nothing`);
+    }
     await context.close();
 }
 
