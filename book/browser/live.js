@@ -5,7 +5,7 @@
 // It fails where a figure is not found, does not change when it is dragged by mouse or finger or moved by the keys, or does not
 // return when it is moved back; where the page scrolls when a finger drags, or does not when one goes over it; where a figure tells
 // other numbers than book/live/states.json, which a Rust test holds the same functions against, is missing in print or without
-// scripts, or where a request leaves the book. Pictures of all figures, before and after, are written to PICTURES, if there is such
+// scripts, where methods cannot be timed, or where a request leaves the book. Pictures of all figures, before and after, are written to PICTURES, if there is such
 // a folder. launch.js says which browser it is, and what Firefox cannot be asked.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
@@ -107,6 +107,7 @@ async function moved(figure, page, width) {
         if (told !== state.told) fault(`${state.values} tells\n  ${told}\nnot\n  ${state.told}`);
     }
     await measure(figure, page, fault);
+    if (figure.inputs.some(({ kind }) => kind === "times")) await timed(figure, page, part, fault);
     if (inFirefox) return;
     await page.emulateMedia({ media: "print" });
     if (!await part.locator(":scope > img").isVisible()) fault("is missing in print");
@@ -278,6 +279,27 @@ function set({ figure, values }) {
             for (let n = 0; n < from.length; n++) slide(ranges.shift());
         }
     }
+}
+
+/// Times all methods: a row each, whatever the times, until the picture is turned.
+async function timed(figure, page, part, fault) {
+    const rows = part.locator(".live-times + .live-table tr");
+    const before = await shown(part);
+    await part.locator(".live-times button").click();
+    await part.locator(".live-times button:enabled").waitFor({ timeout: 60_000 });
+    const cells = await rows.evaluateAll((rows) => rows.slice(1).map((row) => [...row.cells].map(({ textContent }) => textContent)));
+    const names = figure.inputs.find(({ kind }) => kind === "choice").rows.map(({ name }) => name);
+    if (String(cells.map(([name]) => name)) !== String(names)) fault(`times ${cells.map(([name]) => name)}, not ${names}`);
+    for (const [name, ...numbers] of cells) {
+        if (!numbers.every((number) => number > 0)) fault(`${name}: takes ${numbers}`);
+    }
+    if (await shown(part) !== before) fault("is another picture once all methods are timed");
+    await part.locator("select").last().press("ArrowUp");
+    await drawn(page);
+    if (await rows.count() === 0) fault("choosing a method forgets the times");
+    await part.locator("input[type=range]").first().press("ArrowUp");
+    await drawn(page);
+    if (await rows.count() > 0) fault("shows the times of another picture");
 }
 
 /// How long a change takes, from the values to the page.

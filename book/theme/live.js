@@ -85,8 +85,8 @@
         let at = 0;
         for (const input of inputs) {
             const set = change.bind(null, at);
-            const make = { point, slider, turn, choice }[input.kind];
-            parts.push(make({ input, at, set, picture, controls, values: () => values, view: () => view }));
+            const make = { point, slider, turn, choice, times }[input.kind];
+            parts.push(make({ input, inputs, at, set, picture, controls, panel, render, values: () => values, view: () => view }));
             at += input.from.length;
         }
         const reset = element("button", { type: "button", textContent: "As at first" });
@@ -178,6 +178,63 @@
             select.selectedIndex = values[at];
             says.textContent = failure === "-" ? `${promise}.` : `${promise}. Fails: ${failure}.`;
         };
+    }
+
+    /// A button that draws by each method of the choice before it, and tells how long each takes.
+    function times({ inputs, at, panel, render, values }) {
+        const { rows } = inputs[inputs.findIndex(({ kind }) => kind === "times") - 1];
+        const button = element("button", { type: "button", textContent: "Time all methods" });
+        const says = element("output", {});
+        const table = element("div", { className: "table-wrapper live-table" });
+        panel.append(element("div", { className: "live-times" }, button, says), table);
+        // Of another picture they would be other times; which method is chosen does not matter.
+        const picture = (values) => String(values.toSpliced(at - 1, 1));
+        let timed;
+        button.addEventListener("click", async () => {
+            const fixed = [...values()];
+            timed = picture(fixed);
+            button.disabled = true;
+            const all = await race(rows.map((_, row) => () => render(fixed.with(at - 1, row))),
+                (round, rounds) => { says.textContent = `Round ${round} of ${rounds}`; });
+            button.disabled = false;
+            const turned = picture(values()) !== timed;
+            says.textContent = turned ? "" : "In this browser, on one thread: medians of rounds in which all took turns.";
+            if (turned) return;
+            const cells = rows.map(({ name }, row) => [name, all[row].toFixed(2), (all[0] / all[row]).toFixed(2)]);
+            fill(table, [["Method", "ms a picture", `Times as fast as ${rows[0].name}`], ...cells]
+                .map((row) => row.join("\t")).join("\n"));
+        });
+        return (values) => {
+            if (button.disabled || picture(values) === timed) return;
+            table.replaceChildren();
+            says.textContent = "";
+        };
+    }
+
+    /// How long each of some functions takes, in ms: the median of rounds in which all take turns, in another order each, and each
+    /// as many times over as a browser's coarse clock needs. Between two rounds the page is drawn.
+    async function race(runs, tell) {
+        const ROUNDS = 11;
+        const LEAST = 20;
+        const samples = runs.map(() => []);
+        for (let round = 1; round <= ROUNDS; round++) {
+            tell(round, ROUNDS);
+            await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
+            for (let turn = 0; turn < runs.length; turn++) {
+                const n = (turn + 3 * round) % runs.length;
+                // What is made ready for its first picture is kept for the next.
+                runs[n]();
+                const begun = performance.now();
+                let [count, taken] = [0, 0];
+                while (taken < LEAST) {
+                    runs[n]();
+                    count += 1;
+                    taken = performance.now() - begun;
+                }
+                samples[n].push(taken / count);
+            }
+        }
+        return samples.map((all) => all.sort((a, b) => a - b)[(ROUNDS - 1) / 2]);
     }
 
     /// Calls `moved` while a part is dragged, by mouse, pen or finger.

@@ -1,9 +1,9 @@
 //! Lesson 15: the share of a pixel that a triangle covers.
 
 use antialiasing::area::{Area, area, clipped};
-use antialiasing::multisampled::{Multisampled, PerSample};
+use antialiasing::multisampled::{At, Multisampled};
 use antialiasing::ordered::Ordered;
-use antialiasing::pattern::{PATTERNS, PLACES, Place};
+use antialiasing::pattern::{PATTERNS, PLACES, Place, pattern};
 use antialiasing::storage::{Compressed, Samples};
 use antialiasing::{Canvas, coverage, resolve};
 use blending::State;
@@ -32,46 +32,82 @@ pub(crate) const HEAD: Figure = Figure {
 /// Width and height of the head's picture.
 const SIDE: u16 = 120;
 
-/// The lesson's table with what draws a single opaque model. With all that the lesson draws, which is more, each canvas would have
-/// four loops over pixels.
-const CANVASES: &[Method<Draw>] = &with(
+/// The lesson's table.
+const WAYS: &[Method<Way>] = &with(
     antialiasing::METHODS,
     [
-        Draw::to::<Multisampled<1, Samples<1>>>(1),
-        Draw::to::<Multisampled<4, Samples<4>, PerSample>>(4),
-        Draw::to::<Multisampled<16, Samples<16>, PerSample>>(16),
-        Draw::to::<Ordered>(16),
-        Draw::to::<Multisampled<2, Compressed<2>>>(2),
-        Draw::to::<Multisampled<4, Compressed<4>>>(4),
-        Draw::to::<Multisampled<8, Compressed<8>>>(8),
-        Draw::to::<Multisampled<16, Compressed<16>>>(16),
-        Draw::to::<Area>(1),
+        Way::None,
+        per_sample(4),
+        per_sample(16),
+        Way::Ordered,
+        per_pixel(2),
+        per_pixel(4),
+        per_pixel(8),
+        per_pixel(16),
+        Way::Area,
     ],
 );
 
-/// A way to draw a model.
+/// Any of the lesson's ways to draw a single opaque model, on five canvases, where the lesson has nine.
 #[derive(Clone, Copy)]
-struct Draw {
-    picture: fn(&Entity, &scene::View, &mut Image),
-    samples: usize,
+enum Way {
+    None,
+    Ordered,
+    Area,
+    /// With so many samples, shaded there.
+    Samples {
+        count: usize,
+        at: At,
+    },
 }
 
-impl Draw {
-    const fn to<C: Canvas<Stencil = ()>>(samples: usize) -> Self {
-        Self {
-            picture: |entity, view, picture| {
-                let mut canvas = C::new([SIDE.into(); 2]);
-                let shader = entity.shader(view, canvas.size()).expect("it is not flat");
-                let mut triangles = Vec::new();
-                gather(&shader, entity.mesh(), Cull::Back, canvas.size(), &mut triangles);
-                for Placed { constant, corners, varyings, .. } in triangles {
-                    canvas.fill(State::OFF, corners, varyings, |fragment| shade(&shader, constant, fragment));
-                }
-                canvas.resolve(resolve, picture);
-            },
-            samples,
+const fn per_sample(count: usize) -> Way {
+    Way::Samples { count, at: At::Sample }
+}
+
+const fn per_pixel(count: usize) -> Way {
+    Way::Samples { count, at: At::Centroid }
+}
+
+impl Way {
+    fn draw(self, entity: &Entity, view: &scene::View, picture: &mut Image) {
+        const SIZE: [usize; 2] = [SIDE as usize; 2];
+        match self {
+            Self::None => draw_to(Multisampled::<1, Samples<1>>::new(SIZE), entity, view, picture),
+            Self::Ordered => draw_to(Ordered::new(SIZE), entity, view, picture),
+            Self::Area => draw_to(Area::new(SIZE), entity, view, picture),
+            Self::Samples { count, at } => {
+                draw_to(Sixteen::with_places(SIZE, &sixteen(count), at), entity, view, picture);
+            }
         }
     }
+
+    const fn samples(self) -> usize {
+        match self {
+            Self::None | Self::Area => 1,
+            Self::Ordered => 16,
+            Self::Samples { count, .. } => count,
+        }
+    }
+}
+
+type Sixteen = Multisampled<16, Compressed<16>, At>;
+
+/// The places of a standard pattern, each as many times as makes sixteen: what is covered, its centroid and its mean are the
+/// same.
+fn sixteen(count: usize) -> [Place; 16] {
+    std::array::from_fn(|sample| pattern(count)[sample % count])
+}
+
+/// Draws a model to a canvas, and that to a picture.
+fn draw_to<C: Canvas<Stencil = ()>>(mut canvas: C, entity: &Entity, view: &scene::View, picture: &mut Image) {
+    let shader = entity.shader(view, canvas.size()).expect("it is not flat");
+    let mut triangles = Vec::new();
+    gather(&shader, entity.mesh(), Cull::Back, canvas.size(), &mut triangles);
+    for Placed { constant, corners, varyings, .. } in triangles {
+        canvas.fill(State::OFF, corners, varyings, |fragment| shade(&shader, constant, fragment));
+    }
+    canvas.resolve(resolve, picture);
 }
 
 /// What the model looks like, on all canvases.
@@ -86,11 +122,11 @@ fn shade<'a>(
 
 fn antialiased(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
-    let method = values.choice(CANVASES);
+    let method = values.choice(WAYS);
     let mut image = canvas(SIDE);
     let (entity, view) = seen(turn);
-    (method.run.picture)(&entity, &view, &mut image);
-    let rest = format!("samples of each pixel: {}", method.run.samples);
+    method.run.draw(&entity, &view, &mut image);
+    let rest = format!("samples of each pixel: {}", method.run.samples());
     head::view(image, method.name, "the head", turn, &rest)
 }
 
@@ -186,12 +222,12 @@ mod tests {
         let (entity, view) = seen([-72.0, 4.0]);
         let world = Some(World { entities: &[entity], view, cull: Cull::Back });
         let scene = Scene { world, ..Scene::of(&[], Color::BLACK) };
-        for (own, lesson) in CANVASES.iter().zip(METHODS) {
+        for (own, lesson) in WAYS.iter().zip(METHODS) {
             let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
-            (own.run.picture)(&entity, &view, &mut drawn);
+            own.run.draw(&entity, &view, &mut drawn);
             (lesson.run.picture)(&scene, &mut meant);
             assert!(drawn == meant, "{}", own.name);
-            assert_eq!(own.run.samples, lesson.run.samples, "{}", own.name);
+            assert_eq!(own.run.samples(), lesson.run.samples, "{}", own.name);
         }
     }
 }

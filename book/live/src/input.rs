@@ -43,6 +43,9 @@ pub enum Input {
         /// The name of the row that is chosen at first.
         from: &'static str,
     },
+    /// A button that draws by each method of the choice before it, again and again in turn, and tells how long each takes here.
+    /// No value.
+    Times,
 }
 
 /// What a number may be.
@@ -65,7 +68,7 @@ impl Range {
 }
 
 impl Input {
-    /// What its values may be, one or two.
+    /// What its values may be, two at most.
     pub fn ranges(&self) -> impl Iterator<Item = Range> + use<> {
         let range = |from, low, high| Some(Range { from, low, high });
         match self {
@@ -79,6 +82,7 @@ impl Input {
                 let first = rows.iter().position(|row| row.name == *from).unwrap_or_default();
                 [range(first as f64, 0.0, rows.len().saturating_sub(1) as f64), None]
             }
+            Self::Times => [None; 2],
         }
         .into_iter()
         .flatten()

@@ -87,12 +87,13 @@ pub static FIGURES: &[Figure] = &[
     antialiasing::HEAD,
     antialiasing::EDGE,
     scene::SCENE,
+    scenes::SPEED,
 ];
 
 /// What draws them, in the same order: all that a page calls. The words that go with figures and methods are in the page's
 /// script, and would be loaded a second time with the code.
-pub static DRAWINGS: [fn(Values) -> View; 36] = {
-    let mut drawings = [FIGURES[0].draw; 36];
+pub static DRAWINGS: [fn(Values) -> View; 37] = {
+    let mut drawings = [FIGURES[0].draw; 37];
     assert!(drawings.len() == FIGURES.len());
     let mut n = 0;
     while n < drawings.len() {

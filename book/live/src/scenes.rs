@@ -6,9 +6,10 @@ use blending::TRANSPARENCY;
 use blending::scene::Entity;
 use clipping::{Counts, Cull};
 use common::{Image, Mat4, Method, Vec3};
-use filtering::MIPMAPS;
 use filtering::scene::Filterable;
+use filtering::{MIPMAPS, Surface};
 use lighting::{PointLight, Scene};
+use live_loops::counted::{self, Shaded};
 use live_loops::filters::{self, AnyFilter};
 use live_loops::layers;
 use live_loops::lights::{self, MAKES, Make};
@@ -18,6 +19,7 @@ use perspective::{Framebuffer, Planes, perspective, render, view};
 use shaders::source::Texture;
 use shaders::{Lit, Uniforms};
 use sheet::fixed;
+use speed::Picture;
 use transforms::affine::euler;
 
 use crate::head::{self, HEAD, canvas, eye, method};
@@ -166,13 +168,42 @@ pub(crate) const FILTERING: Figure = Figure {
 fn filtered(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
     let method = values.choice(FILTERS);
-    let (to_clip, _) = camera((Vec3::new(0.3, -0.35, 0.0), 3.75, 45.0), turn);
-    let light = Vec3::new(0.4, 0.8, 0.8).normalize();
-    let surfaces = SCENE.each_ref().map(|model| model.surface(light, to_clip));
     let mut image = canvas(SIDE);
-    let counts = filters::draw(&surfaces, method.run, &mut image);
+    let counts = filters::draw(&on_a_floor(turn), method.run, &mut image);
     let rest = format!("triangles filled: {}", counts.filled);
     head::view(image, method.name, "head and floor", turn, &rest)
+}
+
+/// What lesson 13 draws, and 17 again.
+fn on_a_floor(turn: [f32; 2]) -> [Surface<'static>; 2] {
+    let (to_clip, _) = camera((Vec3::new(0.3, -0.35, 0.0), 3.75, 45.0), turn);
+    let light = Vec3::new(0.4, 0.8, 0.8).normalize();
+    SCENE.each_ref().map(|model| model.surface(light, to_clip))
+}
+
+/// Lesson 17's head.
+pub(crate) const SPEED: Figure = Figure {
+    name: "speed-default",
+    stays: true,
+    hint: "Take the eye around by dragging, or by the sliders. Choose another method: the picture stays the same, what the shader \
+           is asked for does not. Then time them all. A page has one thread, on which threads draws as deferred does.",
+    inputs: &[
+        Input::Turn { from: [-31.0, 8.0] },
+        method(|| Method::rows(speed::METHODS), "deferred"),
+        Input::Times,
+    ],
+    draw: fast,
+};
+
+fn fast(mut values: Values) -> View {
+    let turn = [values.number(), values.number()];
+    let method = values.choice(named!(speed::METHODS));
+    let picture = Picture { surfaces: &on_a_floor(turn), cull: Cull::Back };
+    let mut image = canvas(SIDE);
+    let Shaded { fragments, calls } = counted::draw(method, &picture, &mut image);
+    let by =
+        if calls == fragments { "one by one".into() } else { format!("in {calls} groups of at most eight") };
+    head::view(image, method.name, "head and floor", turn, &format!("{fragments} fragments are shaded, {by}"))
 }
 
 /// Lesson 14's head, which one sees through.
@@ -236,6 +267,36 @@ mod tests {
             filters::draw(&surfaces, own.run, &mut drawn);
             (lesson.run.draw)(&surfaces, Cull::Back, &mut meant);
             assert!(drawn == meant, "{}", own.name);
+        }
+    }
+
+    #[test]
+    fn all_of_lesson_17s_methods_draw_the_same_and_count_what_they_shade() {
+        let all = on_a_floor([-31.0, 8.0]);
+        let shaded = |surfaces: &[Surface], method: &Method<speed::Renderer>| {
+            let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
+            filters::draw(surfaces, AnyFilter::Nearest, &mut meant);
+            let shaded = counted::draw(method, &Picture { surfaces, cull: Cull::Back }, &mut drawn);
+            assert!(drawn == meant, "{}", method.name);
+            let is_narrow = ["simple", "blocks"].contains(&method.name);
+            let Shaded { fragments, calls } = shaded;
+            assert!(
+                calls == fragments || calls < fragments && fragments <= 8 * calls,
+                "{}: {shaded:?}",
+                method.name
+            );
+            assert_eq!(calls == fragments, is_narrow, "{}: {shaded:?}", method.name);
+            (fragments, meant)
+        };
+        let simple = shaded(&all, &speed::METHODS[0]).0;
+        for method in speed::METHODS {
+            let is_deferred = ["deferred", "threads"].contains(&method.name);
+            let fragments = shaded(&all, method).0;
+            assert_eq!(fragments < simple, is_deferred, "{}: {fragments}, not {simple}", method.name);
+            // Nothing of the floor is behind another part of it, and nothing of it is black.
+            let (fragments, floor) = shaded(&all[1..], method);
+            let seen = floor.buffer().as_chunks().0.iter().filter(|&&pixel| pixel != [0; 3]).count();
+            assert_eq!(fragments as usize, seen, "{}", method.name);
         }
     }
 

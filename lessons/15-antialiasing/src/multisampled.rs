@@ -8,8 +8,6 @@
 //! texture coordinate beyond the border, a brightness that no corner has. So it is taken at the centroid of the covered
 //! samples then, which is inside of the triangle, as every mean of points in it is.
 
-use std::marker::PhantomData;
-
 use blending::Operations;
 use common::{Bounds, Color, DVec3, IVec2, Image, Vec2, Vec3, Vec4, Vec4Swizzles};
 use perspective::interpolation::relative;
@@ -20,53 +18,70 @@ use zbuffer::{DepthBuffer, depth_at};
 use crate::alpha::alpha_to_coverage;
 use crate::canvas::Canvas;
 use crate::coverage::{Places, Small, all};
-use crate::pattern::pattern;
+use crate::pattern::{Place, pattern};
 use crate::resolve::Resolve;
 use crate::storage::Storage;
 
 /// Where a fragment of a pixel is shaded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum At {
     /// At the pixel's centre, inside of the triangle or not.
     Center,
     /// At the pixel's centre where it is covered, else at the centroid of the samples that are.
+    #[default]
     Centroid,
     /// At each sample by itself.
     Sample,
 }
 
-/// A way to shade, chosen when the loop is compiled.
-pub trait Shading {
+/// A way to shade.
+pub trait Shading: Copy + Default {
     /// Where a fragment is shaded.
-    const AT: At;
+    fn at(self) -> At;
+}
+
+/// Chosen when the program runs. The others are known when the loop is compiled.
+impl Shading for At {
+    #[inline]
+    fn at(self) -> Self {
+        self
+    }
 }
 
 /// [`At::Center`], for those who want to see what is wrong with it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct PerCenter;
 
 impl Shading for PerCenter {
-    const AT: At = At::Center;
+    #[inline]
+    fn at(self) -> At {
+        At::Center
+    }
 }
 
 /// [`At::Centroid`]: multisampling.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct PerPixel;
 
 impl Shading for PerPixel {
-    const AT: At = At::Centroid;
+    #[inline]
+    fn at(self) -> At {
+        At::Centroid
+    }
 }
 
 /// [`At::Sample`]: supersampling.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct PerSample;
 
 impl Shading for PerSample {
-    const AT: At = At::Sample;
+    #[inline]
+    fn at(self) -> At {
+        At::Sample
+    }
 }
 
-/// A picture with `N` samples in each pixel, 1, 2, 4, 8 or 16, at the places of the standard pattern. Each has a colour, a
-/// depth, and, where `K` is not `()`, a stencil value.
+/// A picture with `N` samples in each pixel. Each has a colour, a depth, and, where `K` is not `()`, a stencil value.
 pub struct Multisampled<const N: usize, C, H = PerPixel, K = ()> {
     /// The colours, pixel by pixel, rows from the bottom.
     pub colors: C,
@@ -75,13 +90,32 @@ pub struct Multisampled<const N: usize, C, H = PerPixel, K = ()> {
     /// What is kept for the stencil.
     pub stencils: Vec<[K; N]>,
     bounds: Bounds,
+    places: Places<N>,
     alpha_to_coverage: bool,
-    shading: PhantomData<H>,
+    shading: H,
+}
+
+impl<const N: usize, C: Storage<N>, H, K: Copy + Default> Multisampled<N, C, H, K> {
+    /// For a picture so wide and so high, with the samples at `N` places of each pixel.
+    ///
+    /// # Panics
+    /// Where there are fewer places.
+    #[must_use]
+    pub fn with_places([width, height]: [usize; 2], places: &[Place], shading: H) -> Self {
+        let pixels = width * height;
+        Self {
+            colors: C::new(pixels),
+            depths: vec![[1.0; N]; pixels],
+            stencils: vec![[K::default(); N]; pixels],
+            bounds: Bounds { min: IVec2::ZERO, max: IVec2::new(width as i32, height as i32) - 1 },
+            places: Places::new(places),
+            alpha_to_coverage: false,
+            shading,
+        }
+    }
 }
 
 impl<const N: usize, C, H, K> Multisampled<N, C, H, K> {
-    const PLACES: Places<N> = Places::new(pattern(N));
-
     /// How many pixels a row has.
     #[inline]
     pub(crate) fn width(&self) -> usize {
@@ -141,16 +175,9 @@ fn at_centroid<const N: usize>(edges: DVec3, offsets: &[DVec3; N], samples: u32)
 impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Multisampled<N, C, H, K> {
     type Stencil = K;
 
-    fn new([width, height]: [usize; 2]) -> Self {
-        let pixels = width * height;
-        Self {
-            colors: C::new(pixels),
-            depths: vec![[1.0; N]; pixels],
-            stencils: vec![[K::default(); N]; pixels],
-            bounds: Bounds { min: IVec2::ZERO, max: IVec2::new(width as i32, height as i32) - 1 },
-            alpha_to_coverage: false,
-            shading: PhantomData,
-        }
+    /// The places are those of the standard pattern, and `N` is 1, 2, 4, 8 or 16.
+    fn new(size: [usize; 2]) -> Self {
+        Self::with_places(size, pattern(N), H::default())
     }
 
     fn clear(&mut self, background: Color, alpha_to_coverage: bool) {
@@ -175,15 +202,15 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
     ) {
         let z = Vec3::from_array(corners.map(|corner| corner.z));
         let Some(inverse_w) = relative(corners).filter(|_| z.is_finite()) else { return };
-        let Some(setup) = Self::PLACES.setup(corners.map(Vec4::xy), self.bounds) else { return };
-        let offsets = Self::PLACES.offsets(&setup);
+        let Some(setup) = self.places.setup(corners.map(Vec4::xy), self.bounds) else { return };
+        let offsets = self.places.offsets(&setup);
         let plane = Plane::new(z, setup.per_area, &offsets);
         let width = self.width();
-        let Self { colors, depths: kept, stencils, alpha_to_coverage: by_alpha, .. } = self;
+        let Self { colors, depths: kept, stencils, places, alpha_to_coverage: by_alpha, shading, .. } = self;
         let by_alpha = *by_alpha;
         let small = Small::new(&setup, &offsets);
         for y in setup.bounds.min.y..=setup.bounds.max.y {
-            let row = Self::PLACES.row(&setup, small.as_ref(), y);
+            let row = places.row(&setup, small.as_ref(), y);
             let mut edges = row.edges;
             let first = y as usize * width;
             for x in row.touched.clone() {
@@ -206,7 +233,7 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                 }
                 // 2. What they look like, and what they keep.
                 let mut draw = |samples: u32| {
-                    let at = match H::AT {
+                    let at = match shading.at() {
                         _ if N == 1 => at,
                         At::Center => at,
                         At::Centroid if row.has_center(x, at) => at,
@@ -227,7 +254,7 @@ impl<const N: usize, C: Storage<N>, H: Shading, K: Copy + Default> Canvas for Mu
                             .for_each(|s| kept[s] = if samples >> s & 1 == 1 { depths[s] } else { kept[s] });
                     }
                 };
-                if N > 1 && H::AT == At::Sample {
+                if N > 1 && shading.at() == At::Sample {
                     (0..N).filter(|s| seen >> s & 1 == 1).for_each(|s| draw(1 << s));
                 } else if seen != 0 {
                     draw(seen);

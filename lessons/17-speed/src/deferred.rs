@@ -40,18 +40,24 @@ pub(crate) fn spell_out<S: Simd, W: Wide>(
     block: usize,
     tile: &mut Tile,
 ) {
-    let number = tile.blocks[block].whole;
-    tile.blocks[block].whole = NONE;
-    let triangle = job.triangle(tile, number);
-    let Some(edges) = triangle.edges() else { return };
-    let mut row = edges.row(simd, corner.x, corner.y);
-    for y in corner.y..corner.y + SIDE {
-        let place = tile.place(corner.x, y);
-        let weights = row.weights(simd, edges.per_area);
-        from_least(simd, triangle.z, weights).store_slice(&mut tile.depths[place..place + 8]);
-        see(simd, tile, place, u8::MAX, number, weights);
-        row.step(edges.up);
-    }
+    // A function of its own: it is asked for in several places, and not often.
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let number = tile.blocks[block].whole;
+            tile.blocks[block].whole = NONE;
+            let triangle = job.triangle(tile, number);
+            let Some(edges) = triangle.edges() else { return };
+            let mut row = edges.row(simd, corner.x, corner.y);
+            for y in corner.y..corner.y + SIDE {
+                let place = tile.place(corner.x, y);
+                let weights = row.weights(simd, edges.per_area);
+                from_least(simd, triangle.z, weights).store_slice(&mut tile.depths[place..place + 8]);
+                see(simd, tile, place, u8::MAX, number, weights);
+                row.step(edges.up);
+            }
+        },
+    );
 }
 
 /// Shades what is seen in a block.

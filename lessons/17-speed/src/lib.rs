@@ -73,14 +73,15 @@ type Start = fn(&Renderer, [i32; 2], usize) -> Drawer;
 
 /// For each row of lesson 13's table of filters who draws with it.
 const FILTERS: [Start; 5] = [
-    Renderer::start::<Nearest>,
-    Renderer::start::<Bilinear>,
-    Renderer::start::<Bilinear8>,
-    Renderer::start::<Trilinear>,
-    Renderer::start::<Anisotropic>,
+    Renderer::drawer_by::<Nearest>,
+    Renderer::drawer_by::<Bilinear>,
+    Renderer::drawer_by::<Bilinear8>,
+    Renderer::drawer_by::<Trilinear>,
+    Renderer::drawer_by::<Anisotropic>,
 ];
 
 /// A method.
+#[derive(Clone, Copy)]
 pub struct Renderer {
     /// Which ideas it uses, if it draws in tiles.
     pub plan: Option<Plan>,
@@ -103,8 +104,9 @@ impl Renderer {
         FILTERS[filter](self, size, threads)
     }
 
-    /// The same by one filter.
-    fn start<F: WideFilter>(&self, size: [i32; 2], threads: usize) -> Drawer {
+    /// The same by any filter.
+    #[must_use]
+    pub fn drawer_by<F: WideFilter>(&self, size: [i32; 2], threads: usize) -> Drawer {
         match self.plan {
             None if self.in_blocks => blocks::<F>(),
             None => simple::<F>(),

@@ -13,6 +13,9 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// Threads that wait for work, or the caller's alone.
 pub(crate) struct Threads(Option<ThreadPool>);
 
+/// Whether threads can be started. A page has none, and need not load what starts them.
+const HAVE_THREADS: bool = !cfg!(target_family = "wasm");
+
 // ANCHOR: threads
 impl Threads {
     /// So many.
@@ -21,17 +24,21 @@ impl Threads {
     /// Where the system starts no thread.
     pub(crate) fn new(count: usize) -> Self {
         let pool = || ThreadPoolBuilder::new().num_threads(count).build().expect("the system starts threads");
-        Self((count > 1).then(pool))
+        Self((HAVE_THREADS && count > 1).then(pool))
+    }
+
+    fn pool(&self) -> Option<&ThreadPool> {
+        self.0.as_ref().filter(|_| HAVE_THREADS)
     }
 
     /// How many there are.
     pub(crate) fn count(&self) -> usize {
-        self.0.as_ref().map_or(1, ThreadPool::current_num_threads)
+        self.pool().map_or(1, ThreadPool::current_num_threads)
     }
 
     /// Does some work on one of the threads, from where the others are soon at hand.
     pub(crate) fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
-        match &self.0 {
+        match self.pool() {
             Some(pool) => pool.install(work),
             None => work(),
         }
@@ -49,7 +56,7 @@ impl Threads {
         length: usize,
         work: impl Fn(usize, &mut [T]) + Sync,
     ) {
-        match &self.0 {
+        match self.pool() {
             Some(pool) => pool.install(|| {
                 // Halves of halves, rayon's way with slices, can leave one long piece to the end.
                 items.chunks_mut(length).enumerate().par_bridge().for_each(|(n, piece)| work(n, piece));
@@ -67,7 +74,7 @@ impl Threads {
     ) {
         /// Fewer are not worth a thread's waking.
         const LEAST: usize = 1024;
-        match &self.0 {
+        match self.pool() {
             Some(pool) => pool.install(|| {
                 (0..count).into_par_iter().with_min_len(LEAST).map(make).collect_into_vec(list);
             }),

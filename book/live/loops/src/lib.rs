@@ -4,6 +4,7 @@
 //! small, which makes loops half as fast; these are in a crate of their own, which the profile `live` has compiled to be quick
 //! as well. The figures that call them, and the tests that they draw what the lessons draw, are in `live`.
 
+pub mod counted;
 pub mod filters;
 pub mod layers;
 pub mod lights;

@@ -54,3 +54,30 @@ pub extern "C" fn length(part: usize) -> usize {
 pub extern "C" fn number(n: usize) -> f64 {
     locked(&RENDERED).as_ref().and_then(|rendered| rendered.numbers.get(n).copied()).unwrap_or_default()
 }
+
+/// What the standard library calls of the C library, by the crate `libm`, which lessons call themselves: the compiler's own copy
+/// of it would be loaded besides. Linkers take it before that one.
+#[cfg(target_family = "wasm")]
+mod math {
+    macro_rules! by_libm {
+        ($($name:ident($($x:ident),+: $number:ty))*) => {$(
+            #[unsafe(no_mangle)]
+            extern "C" fn $name($($x: $number),+) -> $number {
+                libm::$name($($x),+)
+            }
+        )*};
+    }
+
+    by_libm! {
+        cos(x: f64)
+        cosf(x: f32)
+        exp2f(x: f32)
+        hypot(x, y: f64)
+        log2(x: f64)
+        log2f(x: f32)
+        powf(x, y: f32)
+        sin(x: f64)
+        sinf(x: f32)
+        tan(x: f64)
+    }
+}
