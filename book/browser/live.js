@@ -247,9 +247,10 @@ function shown(part) {
     });
 }
 
-/// Waits until what was asked for is drawn.
-function drawn(page) {
-    return page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+/// Waits until what was asked for is drawn, in all its pixels.
+async function drawn(page) {
+    await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+    await page.locator(".live[data-coarse]").waitFor({ state: "detached" });
 }
 
 /// Runs in the page: sets the inputs of a figure, points by the arrow keys.

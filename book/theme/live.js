@@ -2,6 +2,9 @@
 // where a page has such a figure. What they are and do is written in book/live; here is what all of them share. Without scripts or
 // WebAssembly, in print and on the page of all chapters the still figures stay. Nothing moves unless a reader moves it.
 {
+    /// A change should be seen within so many ms, before a screen shows its next picture.
+    const FRAME = 16;
+
     const here = document.currentScript.src;
     const still = [...document.querySelectorAll("figure[data-live]")];
     const runs = typeof WebAssembly === "object" && typeof DecompressionStream === "function";
@@ -22,7 +25,7 @@
         document.head.append(element("style", { textContent: style }));
         for (const figure of still) {
             const n = figures.findIndex(({ name }) => name === figure.dataset.live);
-            if (n >= 0) move(figure, figures[n], (values) => render(instance.exports, n, values));
+            if (n >= 0) move(figure, figures[n], (values, coarse = false) => render(instance.exports, n, values, coarse));
         }
     }
 
@@ -33,10 +36,11 @@
         return new Uint8Array(await unpacked.arrayBuffer());
     }
 
-    /// Draws a figure by the lessons' code. Returns its numbers and its parts, as `Rendered` in book/live lists them.
-    function render({ memory, push, draw, start, length, number }, n, values) {
+    /// Draws a figure by the lessons' code, with fewer pixels if it is to be coarse. Returns its numbers and its parts, as
+    /// `Rendered` in book/live lists them.
+    function render({ memory, push, draw, start, length, number }, n, values, coarse) {
         values.forEach((value) => push(value));
-        draw(n);
+        draw(n, coarse);
         const bytes = (part) => new Uint8ClampedArray(memory.buffer, start(part), length(part));
         const text = (part) => new TextDecoder().decode(bytes(part));
         const [width, height, x, y, scale] = [0, 1, 2, 3, 4].map((at) => number(at));
@@ -63,22 +67,29 @@
         let values = [...first];
         let view;
         let asked = false;
+        let slow = false;
+        let sharp;
         let quiet;
         const parts = [];
         const change = (at, ...numbers) => {
             values.splice(at, numbers.length, ...numbers);
-            if (!asked) requestAnimationFrame(show);
+            if (!asked) requestAnimationFrame(() => show(slow));
             asked = true;
         };
-        const show = () => {
+        const show = (coarse) => {
             asked = false;
             const begun = performance.now();
-            view = render(values);
+            view = render(values, coarse);
             paint(drawing, view);
             told.textContent = view.text(1);
             fill(table, view.text(2));
             parts.forEach((part) => part(values, view));
-            performance.measure("live", { start: begun, detail: name });
+            const { duration } = performance.measure("live", { start: begun, detail: name });
+            // What takes longer than a frame of a screen is coarse as long as it changes, and drawn again when it rests.
+            if (!coarse) slow = duration > FRAME;
+            panel.toggleAttribute("data-coarse", coarse);
+            clearTimeout(sharp);
+            if (coarse) sharp = setTimeout(show, 100, false);
             clearTimeout(quiet);
             quiet = setTimeout(() => { heard.textContent = told.textContent; }, 500);
         };
@@ -98,8 +109,10 @@
             image.before(panel);
             figure.classList.add("live-on");
         }
-        show();
+        show(false);
         clearTimeout(quiet);
+        // The first picture takes longer: what all have in common is made with it.
+        slow = false;
     }
 
     /// A point of the drawing, as a handle on it.
@@ -254,7 +267,8 @@
             return;
         }
         let canvas = drawing.querySelector("canvas");
-        if (!canvas) drawing.append(canvas = element("canvas", { width, height }));
+        if (!canvas) drawing.append(canvas = element("canvas", {}));
+        if (canvas.width !== width) Object.assign(canvas, { width, height });
         canvas.getContext("2d").putImageData(new ImageData(bytes(0), width, height), 0, 0);
     }
 

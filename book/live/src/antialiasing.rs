@@ -30,7 +30,7 @@ pub(crate) const HEAD: Figure = Figure {
 };
 
 /// Width and height of the head's picture.
-const SIDE: u16 = 120;
+const SIDE: u16 = 88;
 
 /// The lesson's table.
 const WAYS: &[Method<Way>] = &with(

@@ -125,18 +125,27 @@ pub(crate) const fn runs<F: Copy, const N: usize>(table: &[Method<F>]) -> [F; N]
 }
 
 /// The values of a figure's inputs, taken in the inputs' order.
-pub struct Values<'a>(std::slice::Iter<'a, f64>);
+pub struct Values<'a> {
+    rest: std::slice::Iter<'a, f64>,
+    coarse: bool,
+}
 
 impl<'a> Values<'a> {
-    /// All of them.
+    /// All of them. What takes long may be drawn in fewer pixels if it is to be `coarse`.
     #[must_use]
-    pub fn new(values: &'a [f64]) -> Self {
-        Self(values.iter())
+    pub fn new(values: &'a [f64], coarse: bool) -> Self {
+        Self { rest: values.iter(), coarse }
+    }
+
+    /// Width and height of a picture that has so many pixels unless it is coarse.
+    #[must_use]
+    pub fn side(&self, whole: u16) -> u16 {
+        if self.coarse { whole / 2 } else { whole }
     }
 
     /// A slider's.
     pub fn number(&mut self) -> f32 {
-        self.0.next().copied().unwrap_or_default() as f32
+        self.rest.next().copied().unwrap_or_default() as f32
     }
 
     /// A point's.

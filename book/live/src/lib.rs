@@ -125,7 +125,7 @@ impl Figure {
         let ranges = self.inputs.iter().flat_map(Input::ranges);
         let mut given = values.iter().copied();
         let values: Vec<f64> = ranges.map(|range| range.nearest(given.next().unwrap_or(f64::NAN))).collect();
-        (self.draw)(Values::new(&values))
+        (self.draw)(Values::new(&values, false))
     }
 }
 

@@ -73,7 +73,8 @@ fn draw(mut values: Values) -> View {
         _ => kept.insert((method.name, scene(method.run))),
     };
     // No wireframe is asked for, and what draws one would be loaded with the page.
-    let mut target = Target::with_both([Box::new(FewLooks), Box::new(FewLooks)], SIDE, SIDE);
+    let side = values.side(SIDE);
+    let mut target = Target::with_both([Box::new(FewLooks), Box::new(FewLooks)], side, side);
     let counts = seen(scene, turn, distance, &mut target);
     let rest = format!(
         "the eye is {} away; entities outside: {}, triangles filled: {}",
@@ -86,7 +87,7 @@ fn draw(mut values: Values) -> View {
 
 /// Draws the scene as a camera sees it that goes around it, so far away.
 fn seen(scene: &Scene, turn: [f32; 2], distance: f32, target: &mut Target) -> scene::Counts {
-    let projection = (VERSION.projection)(Vec2::splat(SIDE.into()));
+    let projection = (VERSION.projection)(Vec2::ONE);
     let camera = Orbit::new(-turn[0], turn[1], distance).above(0.9 * GROUND).camera();
     render_scene(scene, target, &projection, &rigid(&camera))
 }

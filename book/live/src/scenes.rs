@@ -71,7 +71,7 @@ fn in_perspective(mut values: Values) -> View {
     let (to_clip, _) = camera((Vec3::new(0.0, -0.1, 0.0), 3.6, 45.0), turn);
     let light = Vec3::new(0.5, 0.8, 0.9).normalize();
     let uniforms: [Uniforms; 2] = [&*HEAD, &*FLOOR].map(|loaded| loaded.uniforms(light, to_clip));
-    let mut image = canvas(SIDE);
+    let mut image = canvas(values.side(SIDE));
     let left_out = interpolated(&uniforms, way.run, (keep.run)(PLANES), &mut image);
     let rest = format!("triangles left out since they reach behind the eye: {left_out}");
     head::view(image, &format!("{}, {}", way.name, keep.name), "head and floor", turn, &rest)
@@ -114,7 +114,7 @@ fn clipped(mut values: Values) -> View {
     let (to_clip, _) = camera((Vec3::new(0.0, -0.2, 0.0), 3.07, 45.0), turn);
     let light = Vec3::new(0.4, 0.8, 0.8).normalize();
     let models = SCENE.each_ref().map(|model| (model.surface(light, to_clip).uniforms, model.mesh()));
-    let mut image = canvas(SIDE);
+    let mut image = canvas(values.side(SIDE));
     let Counts { left_out, cut, filled, .. } =
         clipping::draw(&models, Cull::Back, method.run, &mut image).counts;
     let rest = format!("triangles left out: {left_out}, cut: {cut}, filled: {filled}");
@@ -139,7 +139,7 @@ fn lit(mut values: Values) -> View {
     let (camera, eye) = camera((Vec3::new(0.0, 0.12, 0.0), 2.4, 45.0), [-13.0, 5.0]);
     let to_world = Mat4::from_mat3(euler(Vec3::new(turn[1], turn[0], 0.0)));
     let scene = Scene::placed(&HEAD, to_world, camera, eye, PointLight::default()).expect("it is not flat");
-    let mut image = canvas(SIDE);
+    let mut image = canvas(values.side(SIDE));
     let counts = lights::draw(&scene, method.run, SCENE[0].mesh(), &mut image);
     head::view(image, method.name, "the head", turn, &format!("triangles filled: {}", counts.filled))
 }
@@ -168,7 +168,7 @@ pub(crate) const FILTERING: Figure = Figure {
 fn filtered(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
     let method = values.choice(FILTERS);
-    let mut image = canvas(SIDE);
+    let mut image = canvas(values.side(SIDE));
     let counts = filters::draw(&on_a_floor(turn), method.run, &mut image);
     let rest = format!("triangles filled: {}", counts.filled);
     head::view(image, method.name, "head and floor", turn, &rest)
@@ -199,7 +199,7 @@ fn fast(mut values: Values) -> View {
     let turn = [values.number(), values.number()];
     let method = values.choice(named!(speed::METHODS));
     let picture = Picture { surfaces: &on_a_floor(turn), cull: Cull::Back };
-    let mut image = canvas(SIDE);
+    let mut image = canvas(values.side(SIDE));
     let Shaded { fragments, calls } = counted::draw(method, &picture, &mut image);
     let by =
         if calls == fragments { "one by one".into() } else { format!("in {calls} groups of at most eight") };
@@ -229,7 +229,7 @@ fn blended(mut values: Values) -> View {
     let [head, slabs] = &*SCENE;
     let entity = |model, alpha| Entity { model, to_world: Mat4::IDENTITY, alpha };
     let entities = [&entity(slabs, 1.0), &entity(head, alpha)];
-    let mut image = canvas(200);
+    let mut image = canvas(values.side(200));
     let Counts { filled, .. } = layers::draw(method.run, entities, &view, &mut image);
     let rest = format!("the head's alpha is {}; triangles filled: {filled}", fixed(alpha, 1));
     head::view(image, method.name, "head and floor", turn, &rest)

@@ -30,11 +30,11 @@ pub extern "C" fn give() {
 }
 
 /// Draws the figure of that number in `live::FIGURES`, its inputs set to what was pushed, a number for each value and within its
-/// range, and forgets that.
+/// range, and forgets that. A `coarse` picture may have fewer pixels.
 #[unsafe(no_mangle)]
-pub extern "C" fn draw(figure: usize) {
+pub extern "C" fn draw(figure: usize, coarse: bool) {
     let values = std::mem::take(&mut *locked(&VALUES));
-    *locked(&RENDERED) = live::DRAWINGS.get(figure).map(|draw| Rendered::of(draw(Values::new(&values))));
+    *locked(&RENDERED) = live::DRAWINGS.get(figure).map(|draw| Rendered::of(draw(Values::new(&values, coarse))));
 }
 
 /// Where the bytes of a part begin, of those that `live::Rendered` lists, until something else is drawn.
