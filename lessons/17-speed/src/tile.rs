@@ -152,7 +152,6 @@ impl Canvas {
 }
 
 /// Writes colours as pixels of so many bytes each.
-#[inline(always)]
 fn write(colors: &[u32], to: &mut [u8], bytes: usize) {
     match bytes {
         4 => to.as_chunks_mut().0.iter_mut().zip(colors).for_each(|(to, color)| *to = color.to_le_bytes()),
