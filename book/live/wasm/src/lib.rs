@@ -34,7 +34,8 @@ pub extern "C" fn give() {
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(figure: usize, coarse: bool) {
     let values = std::mem::take(&mut *locked(&VALUES));
-    *locked(&RENDERED) = live::DRAWINGS.get(figure).map(|draw| Rendered::of(draw(Values::new(&values, coarse))));
+    *locked(&RENDERED) =
+        live::DRAWINGS.get(figure).map(|draw| Rendered::of(draw(Values::new(&values, coarse))));
 }
 
 /// Where the bytes of a part begin, of those that `live::Rendered` lists, until something else is drawn.
