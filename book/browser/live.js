@@ -5,8 +5,8 @@
 // It fails where a figure is not found, does not change when it is dragged by mouse or finger or moved by the keys, or does not
 // return when it is moved back; where the page scrolls when a finger drags, or does not when one goes over it; where a figure tells
 // other numbers than book/live/states.json, which a Rust test holds the same functions against, is missing in print or without
-// scripts, where methods cannot be timed, or where a request leaves the book. Pictures of all figures, before and after, are written to PICTURES, if there is such
-// a folder. launch.js says which browser it is, and what Firefox cannot be asked.
+// scripts, where methods cannot be timed, or where a request leaves the book. Pictures of all figures, before and after, are
+// written to PICTURES, if there is such a folder. launch.js says which browser it is, and what Firefox cannot be asked.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -285,12 +285,19 @@ function set({ figure, values }) {
     }
 }
 
-/// Times all methods: a row each, whatever the times, until the picture is turned.
+/// Times all methods: a row each, whatever the times, until the picture is turned, which may be before they are there.
 async function timed(figure, page, part, fault) {
     const rows = part.locator(".live-times + .live-table tr");
+    const slider = part.locator("input[type=range]").first();
+    const time = async (meanwhile = () => {}) => {
+        await part.locator(".live-times button").click();
+        await meanwhile();
+        await part.locator(".live-times button:not([aria-disabled=true])").waitFor({ timeout: 60_000 });
+    };
+    await part.locator(".live-controls button").click();
+    await drawn(page);
     const before = await shown(part);
-    await part.locator(".live-times button").click();
-    await part.locator(".live-times button:enabled").waitFor({ timeout: 60_000 });
+    await time();
     const cells = await rows.evaluateAll((rows) => rows.slice(1).map((row) => [...row.cells].map(({ textContent }) => textContent)));
     const names = figure.inputs.find(({ kind }) => kind === "choice").rows.map(({ name }) => name);
     if (String(cells.map(([name]) => name)) !== String(names)) fault(`times ${cells.map(([name]) => name)}, not ${names}`);
@@ -301,7 +308,11 @@ async function timed(figure, page, part, fault) {
     await part.locator("select").last().press("ArrowUp");
     await drawn(page);
     if (await rows.count() === 0) fault("choosing a method forgets the times");
-    await part.locator("input[type=range]").first().press("ArrowUp");
+    await time(() => slider.press("ArrowUp"));
+    if (await rows.count() > 0) fault("shows the times of the picture before it was turned");
+    await time();
+    if (await rows.count() === 0) fault("times methods no second time");
+    await slider.press("ArrowUp");
     await drawn(page);
     if (await rows.count() > 0) fault("shows the times of another picture");
 }

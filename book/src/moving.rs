@@ -138,9 +138,9 @@ fn compile() -> anyhow::Result<PathBuf> {
     let target = root.join("target");
     let mut command = cargo();
     command
+        // There is .cargo/config.toml, which cargo looks for from its working folder on.
+        .current_dir(root)
         .args(["build", "--quiet", "--package", "live-wasm", "--profile", "live", "--target", TARGET])
-        .arg("--manifest-path")
-        .arg(root.join("Cargo.toml"))
         .arg("--target-dir")
         .arg(&target);
     if !command.status().context("cannot start cargo")?.success() {

@@ -81,12 +81,16 @@
             const begun = performance.now();
             view = render(values, coarse);
             paint(drawing, view);
-            told.textContent = view.text(1);
-            fill(table, view.text(2));
+            // What is counted in a coarse picture is not what is counted in the whole one.
+            if (!coarse) {
+                told.textContent = view.text(1);
+                fill(table, view.text(2));
+            }
             parts.forEach((part) => part(values, view));
             const { duration } = performance.measure("live", { start: begun, detail: name });
             // What takes longer than a frame of a screen is coarse as long as it changes, and drawn again when it rests.
             if (!coarse) slow = duration > FRAME;
+            // The browser's test waits by it.
             panel.toggleAttribute("data-coarse", coarse);
             clearTimeout(sharp);
             if (coarse) sharp = setTimeout(show, 100, false);
@@ -194,38 +198,48 @@
     }
 
     /// A button that draws by each method of the choice before it, and tells how long each takes.
-    function times({ inputs, at, panel, render, values }) {
-        const { rows } = inputs[inputs.findIndex(({ kind }) => kind === "times") - 1];
-        const button = element("button", { type: "button", textContent: "Time all methods" });
+    function times({ input, inputs, at, panel, render, values }) {
+        const { rows } = inputs[inputs.indexOf(input) - 1];
+        const words = "Time all methods";
+        const button = element("button", { type: "button", textContent: words });
         const says = element("output", {});
         const table = element("div", { className: "table-wrapper live-table" });
         panel.append(element("div", { className: "live-times" }, button, says), table);
         // Of another picture they would be other times; which method is chosen does not matter.
         const picture = (values) => String(values.toSpliced(at - 1, 1));
         let timed;
+        let running = false;
+        const forget = () => {
+            table.replaceChildren();
+            says.textContent = "";
+        };
+        const run = (begins) => {
+            running = begins;
+            button.ariaDisabled = begins;
+        };
         button.addEventListener("click", async () => {
+            if (running) return;
+            run(true);
+            forget();
             const fixed = [...values()];
             timed = picture(fixed);
-            button.disabled = true;
             const all = await race(rows.map((_, row) => () => render(fixed.with(at - 1, row))),
-                (round, rounds) => { says.textContent = `Round ${round} of ${rounds}`; });
-            button.disabled = false;
-            const turned = picture(values()) !== timed;
-            says.textContent = turned ? "" : "In this browser, on one thread: medians of rounds in which all took turns.";
-            if (turned) return;
+                (round, rounds) => { button.textContent = `${words}: ${round} of ${rounds}`; });
+            button.textContent = words;
+            run(false);
+            if (picture(values()) !== timed) return;
+            says.textContent = "In this browser, on one thread: medians of rounds in which all took turns.";
             const cells = rows.map(({ name }, row) => [name, all[row].toFixed(2), (all[0] / all[row]).toFixed(2)]);
             fill(table, [["Method", "ms a picture", `Times as fast as ${rows[0].name}`], ...cells]
                 .map((row) => row.join("\t")).join("\n"));
         });
         return (values) => {
-            if (button.disabled || picture(values) === timed) return;
-            table.replaceChildren();
-            says.textContent = "";
+            if (picture(values) !== timed) forget();
         };
     }
 
-    /// How long each of some functions takes, in ms: the median of rounds in which all take turns, in another order each, and each
-    /// as many times over as a browser's coarse clock needs. Between two rounds the page is drawn.
+    /// How long each of some functions takes, in ms: the median of rounds in which all take turns, each round beginning with another,
+    /// and each as many times over as a browser's coarse clock needs. Between two rounds the page is drawn.
     async function race(runs, tell) {
         const ROUNDS = 11;
         const LEAST = 20;
@@ -234,8 +248,8 @@
             tell(round, ROUNDS);
             await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
             for (let turn = 0; turn < runs.length; turn++) {
-                const n = (turn + 3 * round) % runs.length;
-                // What is made ready for its first picture is kept for the next.
+                const n = (turn + round) % runs.length;
+                // The first picture by a method makes its memory ready, and is not timed.
                 runs[n]();
                 const begun = performance.now();
                 let [count, taken] = [0, 0];
@@ -268,7 +282,7 @@
         }
         let canvas = drawing.querySelector("canvas");
         if (!canvas) drawing.append(canvas = element("canvas", {}));
-        if (canvas.width !== width) Object.assign(canvas, { width, height });
+        if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
         canvas.getContext("2d").putImageData(new ImageData(bytes(0), width, height), 0, 0);
     }
 

@@ -32,7 +32,7 @@ pub(crate) const HEAD: Figure = Figure {
 /// Width and height of the head's picture.
 const SIDE: u16 = 88;
 
-/// The lesson's table.
+/// The lesson's methods, each with its way here.
 const WAYS: &[Method<Way>] = &with(
     antialiasing::METHODS,
     [
@@ -48,7 +48,7 @@ const WAYS: &[Method<Way>] = &with(
     ],
 );
 
-/// Any of the lesson's ways to draw a single opaque model, on five canvases, where the lesson has nine.
+/// Any of the lesson's ways to draw a single opaque model, on four kinds of canvas, where the lesson has nine.
 #[derive(Clone, Copy)]
 enum Way {
     None,
@@ -82,7 +82,7 @@ impl Way {
         }
     }
 
-    const fn samples(self) -> usize {
+    fn samples(self) -> usize {
         match self {
             Self::None | Self::Area => 1,
             Self::Ordered => 16,

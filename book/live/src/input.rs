@@ -131,13 +131,13 @@ pub struct Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// All of them. What takes long may be drawn in fewer pixels if it is to be `coarse`.
+    /// All of them, and whether a figure that takes long may be drawn in fewer pixels. Most are not.
     #[must_use]
     pub fn new(values: &'a [f64], coarse: bool) -> Self {
         Self { rest: values.iter(), coarse }
     }
 
-    /// Width and height of a picture that has so many pixels unless it is coarse.
+    /// How many pixels wide and high to draw: `whole`, or half of it if the drawing may be coarse.
     #[must_use]
     pub fn side(&self, whole: u16) -> u16 {
         if self.coarse { whole / 2 } else { whole }

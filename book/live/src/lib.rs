@@ -12,7 +12,7 @@
 //! **To test it**, add five states to `states.json`: the name, the values of the inputs (a point has two, what is turned has
 //! two, a choice the number of its row), and what is told. The test here compares that with what the function returns, and
 //! `book/browser/live.js` with what the page shows, moved by mouse and keys. A change must take less than 16 ms, so draw on some
-//! hundred shapes or 400 × 400 pixels at most. A page loads the code of all figures: where a lesson has a loop for each of its
+//! hundred shapes or 400 × 400 pixels at most, or as many pixels as [`Values::side`] says, which are fewer while they are dragged. A page loads the code of all figures: where a lesson has a loop for each of its
 //! methods, a figure has one for all, as in `looks`; what takes longest is in `live-loops`. `cargo run -p book` builds the code
 //! (`book/src/moving.rs` says how), `package live-wasm` exports it, `book/theme/live.js` is all that runs in the page besides.
 
@@ -160,6 +160,26 @@ mod tests {
             let figure = FIGURES.iter().find(|known| known.name == figure).unwrap();
             assert_eq!(figure.view(&values).told, told, "{} {values:?}", figure.name);
         }
+    }
+
+    #[test]
+    fn what_may_take_long_has_half_the_width_while_it_is_dragged() {
+        let mut halved = Vec::new();
+        for figure in FIGURES {
+            let first: Vec<f64> =
+                figure.inputs.iter().flat_map(Input::ranges).map(|range| range.from).collect();
+            let [whole, coarse] =
+                [false, true].map(|coarse| (figure.draw)(Values::new(&first, coarse)).drawing);
+            if let (Drawing::Pixels(whole), Drawing::Pixels(coarse)) = (whole, coarse) {
+                if 2 * coarse.width() == whole.width() {
+                    halved.push(figure.name.split('-').next().unwrap());
+                } else {
+                    assert!(whole == coarse, "{}", figure.name);
+                }
+            }
+        }
+        let lessons = ["perspective", "clipping", "lighting", "filtering", "blending", "scene", "speed"];
+        assert_eq!(halved, lessons);
     }
 
     #[test]

@@ -185,8 +185,9 @@ fn on_a_floor(turn: [f32; 2]) -> [Surface<'static>; 2] {
 pub(crate) const SPEED: Figure = Figure {
     name: "speed-default",
     stays: true,
-    hint: "Take the eye around by dragging, or by the sliders. Choose another method: the picture stays the same, what the shader \
-           is asked for does not. Then time them all. A page has one thread, on which threads draws as deferred does.",
+    hint: "Take the eye around by dragging, or by the sliders. Choose another method: the picture stays the same, and the sentence \
+           below tells how its pixels were shaded. Then time all methods. There is one thread here, so the method threads draws \
+           as deferred does.",
     inputs: &[
         Input::Turn { from: [-31.0, 8.0] },
         method(|| Method::rows(speed::METHODS), "deferred"),

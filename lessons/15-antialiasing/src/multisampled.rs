@@ -96,7 +96,7 @@ pub struct Multisampled<const N: usize, C, H = PerPixel, K = ()> {
 }
 
 impl<const N: usize, C: Storage<N>, H, K: Copy + Default> Multisampled<N, C, H, K> {
-    /// For a picture so wide and so high, with the samples at `N` places of each pixel.
+    /// For a picture so many pixels wide and high, with the samples at the first `N` of these places, 32 at most.
     ///
     /// # Panics
     /// Where there are fewer places.

@@ -104,7 +104,7 @@ impl Renderer {
         FILTERS[filter](self, size, threads)
     }
 
-    /// The same by any filter.
+    /// Who draws by it with the filter `F`, pictures of that size in pixels, with so many threads if it uses them at all.
     #[must_use]
     pub fn drawer_by<F: WideFilter>(&self, size: [i32; 2], threads: usize) -> Drawer {
         match self.plan {

@@ -13,7 +13,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// Threads that wait for work, or the caller's alone.
 pub(crate) struct Threads(Option<ThreadPool>);
 
-/// Whether threads can be started. A page has none, and need not load what starts them.
+/// WebAssembly in a page starts no threads.
 const HAVE_THREADS: bool = !cfg!(target_family = "wasm");
 
 // ANCHOR: threads
@@ -27,6 +27,7 @@ impl Threads {
         Self((HAVE_THREADS && count > 1).then(pool))
     }
 
+    /// The threads, if there are any. Where there can be none the compiler leaves out `rayon`.
     fn pool(&self) -> Option<&ThreadPool> {
         self.0.as_ref().filter(|_| HAVE_THREADS)
     }

@@ -11,7 +11,7 @@ use speed::filters::{Textured, WideFilter};
 use speed::{Drawer, Picture, Renderer};
 
 /// How much was shaded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Shaded {
     /// How many fragments.
     pub fragments: u32,

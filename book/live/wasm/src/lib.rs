@@ -56,8 +56,8 @@ pub extern "C" fn number(n: usize) -> f64 {
     locked(&RENDERED).as_ref().and_then(|rendered| rendered.numbers.get(n).copied()).unwrap_or_default()
 }
 
-/// What the standard library calls of the C library, by the crate `libm`, which lessons call themselves: the compiler's own copy
-/// of it would be loaded besides. Linkers take it before that one.
+/// Functions that the standard library calls by C's names. The lessons have the crate `libm` anyway, and the compiler's own copy
+/// would be loaded as well; a linker takes what is defined here before that. They are exported, too, and no page calls them.
 #[cfg(target_family = "wasm")]
 mod math {
     macro_rules! by_libm {
