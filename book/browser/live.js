@@ -336,12 +336,13 @@ async function slowestDrag(name) {
     const all = [[0, ""]];
     for (const select of range ? panel.querySelectorAll("select") : []) {
         for (const [row, { textContent }] of [...select.options].entries()) {
+            panel.querySelector(".live-controls button").click();
             select.selectedIndex = row;
             select.dispatchEvent(new Event("change"));
             await frame();
             performance.clearMeasures("live");
             for (let n = 0; n < 9; n++) {
-                range.stepUp();
+                range.stepUp(3);
                 range.dispatchEvent(new Event("input"));
                 await frame();
             }
