@@ -219,15 +219,17 @@ mod tests {
 
     #[test]
     fn the_head_is_as_the_lesson_draws_it() {
-        let (entity, view) = seen([-72.0, 4.0]);
-        let world = Some(World { entities: &[entity], view, cull: Cull::Back });
-        let scene = Scene { world, ..Scene::of(&[], Color::BLACK) };
-        for (own, lesson) in WAYS.iter().zip(METHODS) {
-            let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
-            own.run.draw(&entity, &view, &mut drawn);
-            (lesson.run.picture)(&scene, &mut meant);
-            assert!(drawn == meant, "{}", own.name);
-            assert_eq!(own.run.samples(), lesson.run.samples, "{}", own.name);
+        for turn in [[-72.0, 4.0], [0.0, 0.0], [33.0, -50.0], [170.0, 80.0]] {
+            let (entity, view) = seen(turn);
+            let world = Some(World { entities: &[entity], view, cull: Cull::Back });
+            let scene = Scene { world, ..Scene::of(&[], Color::BLACK) };
+            for (own, lesson) in WAYS.iter().zip(METHODS) {
+                let [mut drawn, mut meant] = [canvas(SIDE), canvas(SIDE)];
+                own.run.draw(&entity, &view, &mut drawn);
+                (lesson.run.picture)(&scene, &mut meant);
+                assert!(drawn == meant, "{}, {turn:?}", own.name);
+                assert_eq!(own.run.samples(), lesson.run.samples, "{}", own.name);
+            }
         }
     }
 }
