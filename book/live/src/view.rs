@@ -71,7 +71,7 @@ fn from_the_top(image: &Image) -> Vec<u8> {
     bytes
 }
 
-/// Pictures of one size in rows, the first row on top, with gaps between them.
+/// Pictures of one size in rows, the first row on top, with gaps between them. All are in [`Format::Rgb`].
 pub(crate) fn beside(rows: &[Vec<Image>]) -> Image {
     const GAP: i32 = 6;
     const GROUND: Color = Color::rgb(128, 128, 128);
@@ -85,6 +85,7 @@ pub(crate) fn beside(rows: &[Vec<Image>]) -> Image {
     let whole = 3 * all.width() as usize;
     for (n, row) in rows.iter().rev().enumerate() {
         for (m, image) in row.iter().enumerate() {
+            debug_assert_eq!(image.format(), Format::Rgb);
             let own = 3 * image.width() as usize;
             let first = n * height as usize * whole + 3 * m * width as usize;
             for (y, pixels) in image.buffer().chunks_exact(own).enumerate() {

@@ -62,7 +62,10 @@ impl Pair {
                 pixels.zip(&shared).filter(|&((x, y), both)| *both && picture.get(x, y) == Some(AMBER));
             counts.push(format!("in {} by {}", seen.count(), method.name));
             if with_depths {
-                depths.push(depth(&self.surfaces, &picture));
+                let gray = depth(&self.surfaces, &picture);
+                let mut nearness = self.canvas();
+                nearness.set_all(|pixel| Color::gray(f32::from(gray.buffer()[pixel]) / 255.0));
+                depths.push(nearness);
             }
             pictures.push(picture);
         }
@@ -145,5 +148,21 @@ mod tests {
         let all = words[words.iter().position(|word| *word == "pixels").unwrap() - 1];
         assert_eq!(told.matches(&format!("in {all} by")).count(), 3, "{told}");
         assert!(FIGHTING.view(&[-8.0]).told.contains("is seen in 0 by z16"));
+    }
+
+    /// Each picture stands above its depths, which are grey inside and black where nothing is.
+    #[test]
+    fn depths_are_below_their_pictures() {
+        let Drawing::Pixels(image) = CUT.view(&[]).drawing else { panic!("it is a sheet") };
+        let up = (image.height() + 6) / 2;
+        for n in 0..3 {
+            let left = n * (image.width() + 6) / 3;
+            // In the amber triangle, and in neither.
+            assert_eq!(image.get(left + 110, up + 80), Some(AMBER));
+            assert_eq!(image.get(left + 2, up + 2), Some(Color::BLACK));
+            let Color { r, g, b, .. } = image.get(left + 110, 80).unwrap();
+            assert!(r == g && g == b && (20..235).contains(&r), "{r} {g} {b}");
+            assert_eq!(image.get(left + 2, up - 10), Some(Color::BLACK));
+        }
     }
 }
